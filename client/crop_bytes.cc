@@ -1,7 +1,5 @@
 #include "client/crop_bytes.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -149,24 +147,6 @@ class CropWriter {
 
 std::string CropBytes(const HoleCrop& crop, const TilePair& tile, const std::string& before, const std::string& after) {
   return CropWriter(crop, tile).Write(before, after);
-}
-
-absl::StatusOr<std::string> Gzip(std::string_view bytes) {
-  z_stream stream{};
-  constexpr int kGzipWindow = 15 + 16;  // zlib's way to ask for a gzip header, which has no time in it
-  if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kGzipWindow, 9, Z_DEFAULT_STRATEGY) != Z_OK) {
-    return absl::ResourceExhaustedError("no memory to compress a picture");
-  }
-  std::string out(deflateBound(&stream, bytes.size()), '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-  stream.avail_in = static_cast<uInt>(bytes.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  const int end = deflate(&stream, Z_FINISH);
-  out.resize(stream.total_out);
-  deflateEnd(&stream);
-  if (end != Z_STREAM_END) return absl::ResourceExhaustedError("no memory to compress a picture");
-  return out;
 }
 
 }  // namespace tilemend

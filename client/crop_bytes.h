@@ -3,9 +3,7 @@
 #define TILEMEND_CLIENT_CROP_BYTES_H_
 
 #include <string>
-#include <string_view>
 
-#include "absl/status/statusor.h"
 #include "client/hole_crop.h"
 
 namespace tilemend {
@@ -15,9 +13,6 @@ namespace tilemend {
 // each triangle; zeros up to a multiple of 4; uint32 corners[3] of each triangle; the JPEG. web/src/crop.ts reads it.
 // `before` and `after`: the folders that image paths are relative to.
 std::string CropBytes(const HoleCrop& crop, const TilePair& tile, const std::string& before, const std::string& after);
-
-// The gzip stream of `bytes`: the same for the same bytes. kResourceExhausted without memory.
-absl::StatusOr<std::string> Gzip(std::string_view bytes);
 
 }  // namespace tilemend
 

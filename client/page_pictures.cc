@@ -10,6 +10,7 @@
 #include "client/crop_bytes.h"
 #include "client/hole_crop.h"
 #include "client/picture_tile.h"
+#include "common/store/gzip.h"
 #include "common/util/status_macros.h"
 #include "coordinator/report/json_access.h"
 

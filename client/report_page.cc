@@ -9,13 +9,13 @@
 #include "client/page_assets.h"
 #include "client/page_data.h"
 #include "client/page_pictures.h"
-#include "client/page_review.h"
 #include "common/grid/delivery_paths.h"
 #include "common/grid/scene.h"
 #include "common/store/digest.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "coordinator/report/json_access.h"
+#include "coordinator/report/page_review.h"
 #include "coordinator/report/tile_checks.h"
 
 namespace tilemend {

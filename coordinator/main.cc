@@ -31,6 +31,7 @@
 #include "common/util/failpoint.h"
 #include "common/util/flags.h"
 #include "common/util/heap.h"
+#include "common/util/job_log_tail.h"
 #include "common/util/log.h"
 #include "common/util/manual.h"
 #include "common/util/roots.h"
@@ -200,11 +201,11 @@ absl::StatusOr<std::unique_ptr<StatusServer>> ServeMetrics(const Flags& flags, c
 
 // Null without --web.
 absl::StatusOr<std::unique_ptr<WebServer>> ServePage(const Flags& flags, const TlsFiles& tls, Coordinator& coordinator,
-                                                     const std::shared_ptr<Gate>& gate, Log& log) {
+                                                     const std::shared_ptr<Gate>& gate, JobLogTail& log) {
   if (!flags.IsGiven("web")) return nullptr;
   TILEMEND_ASSIGN_OR_RETURN(auto server,
                             WebServer::Start(flags.Text("web"), coordinator,
-                                             {{tls.certificate, tls.key, tls.authority}, gate, IsClosed(flags)}));
+                                             {{tls.certificate, tls.key, tls.authority}, gate, IsClosed(flags), &log}));
   log.Info("page served", {{"address", WithPort(flags.Text("web"), server->port())}});
   return server;
 }
@@ -253,7 +254,8 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   PrometheusRegistry metrics;
   ProcessMetrics process(metrics, kProgram, Version());
   TILEMEND_ASSIGN_OR_RETURN(const LogFormat format, LogFormatNamed(flags.Text("log"), stderr));
-  StreamLog log(stderr, format, {{"program", kProgram}, {"release", Version()}});
+  StreamLog stream(stderr, format, {{"program", kProgram}, {"release", Version()}});
+  JobLogTail log(stream);
   log.Info("starting", {{"build", options.build}});
   options.log = &log;
   TILEMEND_ASSIGN_OR_RETURN(const auto credentials,
@@ -270,7 +272,7 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   TILEMEND_ASSIGN_OR_RETURN(const auto coordinator,
                             Coordinator::Create(std::move(options), std::move(pipelines), metrics));
   TILEMEND_ASSIGN_OR_RETURN(const auto audit, OpenAudit(flags.Text("audit"), log));
-  TILEMEND_ASSIGN_OR_RETURN(const auto gate, GateFromFlags(flags, metrics, audit == nullptr ? log : *audit->log, log));
+  TILEMEND_ASSIGN_OR_RETURN(const auto gate, GateFromFlags(flags, metrics, audit == nullptr ? static_cast<Log&>(log) : *audit->log, log));
   TILEMEND_ASSIGN_OR_RETURN(
       const auto server, CoordinatorServer::Start(flags.Text("listen"), *coordinator, {credentials->kept().tls, gate}));
   TILEMEND_ASSIGN_OR_RETURN(const auto page, ServePage(flags, credentials->kept().tls, *coordinator, gate, log));

@@ -64,7 +64,7 @@ RULES = {
 
     'common/image': rule(['common/util'], ['absl', 'jpeg', 'png']),
 
-    'common/store': rule(['common/util'], ['absl', 'openssl', 'xxhash']),
+    'common/store': rule(['common/util'], ['absl', 'openssl', 'xxhash', 'zlib']),
 
     'common/http': rule([], ['absl', 'httplib', 'openssl']),
 
@@ -238,7 +238,7 @@ RULES = {
         ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/codec/tree', 'common/image', 'common/store', 'common/assemble', 'common/rpc', 'worker/survey', 'worker/ground', 'worker/propose',
          'worker/check', 'worker/materials', 'worker/service', 'client/mesh', 'coordinator/plan/rim', 'coordinator/waves', 'coordinator/report',
          'coordinator/jobs', 'coordinator/api'],
-        ['absl', 'eigen', 'grpc', 'json', 'protobuf', 'zlib']),
+        ['absl', 'eigen', 'grpc', 'json', 'protobuf']),
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 OURS = ('common/', 'worker/', 'coordinator/', 'client/', 'python/', 'tests/')

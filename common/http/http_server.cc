@@ -4,10 +4,12 @@
 #include <openssl/ssl.h>
 #include <openssl/x509v3.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <mutex>
 #include <semaphore>
 #include <thread>
 
@@ -15,18 +17,20 @@
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
 #include "common/http/timed_connection.h"
+#include "common/http/waiting_room.h"
 
 namespace tilemend {
 namespace {
 
 constexpr size_t kThreads = 16;
-constexpr std::ptrdiff_t kMostConnections = 64;  // served or waiting for a thread; the others wait in the kernel
+constexpr std::ptrdiff_t kMostConnections = 64;  // served or waiting for a thread
+// A connection that asks nothing is closed then.
+constexpr absl::Duration kMostIdle = absl::Seconds(5);
 
-// Threads that have a bounded queue before them: who comes when it is full waits to be accepted.
-class BoundedPool : public httplib::TaskQueue {
+// Threads that have a bounded queue before them: who comes when it is full waits.
+class BoundedPool {
  public:
-  explicit BoundedPool(std::atomic<int>& waiting) : waiting_(waiting) {}
-  void enqueue(std::function<void()> answer) override {
+  void Run(std::function<void()> answer) {
     room_.acquire();
     ++waiting_;
     pool_.enqueue([this, answer = std::move(answer)] {
@@ -35,12 +39,24 @@ class BoundedPool : public httplib::TaskQueue {
       room_.release();
     });
   }
-  void shutdown() override { pool_.shutdown(); }
+  void Shutdown() { pool_.shutdown(); }
+  bool others_wait() const { return waiting_ > 0; }  // for a thread
 
  private:
-  std::atomic<int>& waiting_;  // for a thread
+  std::atomic<int> waiting_{0};
   std::counting_semaphore<kMostConnections> room_{kMostConnections};
   httplib::ThreadPool pool_{kThreads};
+};
+
+// Runs what the library does with each accepted connection at once: that hands it to the waiting room.
+class RunAtOnce : public httplib::TaskQueue {
+ public:
+  explicit RunAtOnce(std::function<void()> shutdown) : shutdown_(std::move(shutdown)) {}
+  void enqueue(std::function<void()> accept) override { accept(); }
+  void shutdown() override { shutdown_(); }
+
+ private:
+  const std::function<void()> shutdown_;
 };
 
 // Before each handshake, so that new files count at once.
@@ -84,30 +100,44 @@ thread_local const TimedConnection* current_connection = nullptr;
 
 class TimedServer : public httplib::Server {
  public:
-  TimedServer(TlsContext context, ConnectionLimits limits) : context_(std::move(context)), limits_(limits) {
-    new_task_queue = [this] { return new BoundedPool(waiting_); };
+  TimedServer(TlsContext context, ConnectionLimits limits)
+      : context_(std::move(context)),
+        limits_(limits),
+        room_({.time = std::min(limits.time, kMostIdle), .whole_head = context_ == nullptr},
+              [this](int fd) { pool_.Run([this, fd] { Serve(fd); }); }) {
+    new_task_queue = [this] { return new RunAtOnce([this] { Stop(); }); };
   }
+  ~TimedServer() override { Stop(); }
   // Once it is bound. The library has the kernel keep five connections, and a sixth tries again after a second.
   void KeepMoreInTheKernel() { ::listen(svr_sock_.load(), SOMAXCONN); }
 
  private:
   bool process_and_close_socket(socket_t fd) override {
-    TimedConnection connection(fd, limits_, [this] { return waiting_ > 0; });
-    if (context_ != nullptr && !connection.Encrypt(context_.get())) return false;
+    room_.Add(fd);
+    return true;
+  }
+  void Serve(int fd) {
+    TimedConnection connection(fd, limits_, [this] { return pool_.others_wait(); });
+    if (context_ != nullptr && !connection.Encrypt(context_.get())) return;
     current_connection = &connection;
     bool closed = false;
-    const bool answered = process_request(connection, true, closed, [](httplib::Request& request) {
+    process_request(connection, true, closed, [](httplib::Request& request) {
       request.ranges.clear();                    // an answer is whole: 8 KB of ranges made an answer of 0.2 GB
       request.headers.erase("Accept-Encoding");  // the library's compression takes a second for a megabyte
       request.set_header("Accept-Encoding", "");
     });
     current_connection = nullptr;
-    return answered;
+  }
+  void Stop() {
+    room_.Close();
+    std::call_once(stopped_, [this] { pool_.Shutdown(); });
   }
 
   const TlsContext context_;
   const ConnectionLimits limits_;
-  std::atomic<int> waiting_{0};
+  std::once_flag stopped_;
+  BoundedPool pool_;
+  WaitingRoom room_;  // last: it uses the pool
 };
 
 // Alternative names that are URIs, as over gRPC.

@@ -92,8 +92,8 @@ absl::StatusOr<JobCells> JobsHandler::GetCells(const std::string& name) {
   return AnswerWhenDurable(cluster_, [&]() -> absl::StatusOr<JobCells> {
     TILEMEND_ASSIGN_OR_RETURN(const Job* job, cluster_.JobNamed(name));
     const JobEntry& entry = cluster_.jobs.at(job->id);
-    JobCells answer{entry.board.Cells(), entry.board.failures(), {}, job->state, job->version,
-                    entry.spec,          entry.outcome.report};
+    JobCells answer{entry.board.Cells(), entry.board.failures(), {},         job->state, job->version,
+                    entry.spec,          entry.outcome.report,   entry.sight};
     for (const auto& [id, task] : job->tasks) {
       if (!task.leases.empty()) answer.held.insert(task.cell);
     }

@@ -3,7 +3,7 @@
 #define TILEMEND_COORDINATOR_API_JOBS_HANDLER_H_
 
 #include <cstdint>
-#include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -23,13 +23,14 @@ namespace tilemend {
 
 // How far a job is, cell by cell.
 struct JobCells {
-  std::map<CellId, CellProgress> cells;  // that had a task; none of a job of an earlier process that is over
+  CellLetters cells;  // the CellProgress of those that had a task; none of a job of an earlier process that is over
   std::vector<CellFailure> failures;
   std::set<CellId> held;  // cells of tasks that workers hold now
   JobState state = JobState::kRunning;
   uint64_t version = 0;  // another one whenever something of the job has changed
   JobSpec spec;
-  std::string report;  // path of report.json, "" if there is none
+  std::string report;                                 // path of report.json, "" if there is none
+  std::shared_ptr<const SceneSight> sight = nullptr;  // of a job that runs, once its scene is read
 };
 
 // Thread-safe; every call is short. The messages say what each call does and which errors it has.

@@ -41,10 +41,11 @@ struct JobEntry {
   absl::Status error;
   std::shared_ptr<BlobFolder> blobs;
   std::unique_ptr<JobRunner> runner;
-  CellBoard board;         // empty for one that was over when this process began
-  bool completed = false;  // its output is, and its end is in the journal
-  absl::Time ended;        // if it is
-  bool resuming = false;   // all its tasks so far were settled by an earlier process
+  std::shared_ptr<const SceneSight> sight;  // while it runs
+  CellBoard board;                          // empty for one that was over when this process began
+  bool completed = false;                   // its output is, and its end is in the journal
+  absl::Time ended;                         // if it is
+  bool resuming = false;                    // all its tasks so far were settled by an earlier process
 };
 
 // What a worker said of itself.

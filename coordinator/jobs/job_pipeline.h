@@ -28,6 +28,8 @@
 
 namespace tilemend {
 
+class SceneSight;  // coordinator/report/scene_sight.h
+
 // What is to be done: every option, checked (common/options/job_options.h).
 using JobSpec = v1::JobSpec;
 
@@ -71,6 +73,9 @@ class JobPipeline {
 
   // What a worker must see to get tasks. Called once, first. Without any, every worker gets them.
   virtual absl::StatusOr<JobFolders> Folders() const { return JobFolders(); }
+
+  // What may be shown of the scene, from before Start to long after the end. Called once, after Folders. Null: nothing.
+  virtual std::shared_ptr<const SceneSight> Sight() const { return nullptr; }
 
   // The job began in an earlier process of the coordinator. Called before Start, at most once.
   virtual void Resume() {}

@@ -126,6 +126,7 @@ absl::StatusOr<JobOutcome> JobRunner::RunPipeline(std::unique_ptr<JobPipeline>& 
     }
     TILEMEND_ASSIGN_OR_RETURN(JobFolders folders, pipeline->Folders());
     sink_.folders(std::move(folders));
+    sink_.sight(pipeline->Sight());
     return DrivePipeline(*pipeline);
   } catch (const std::bad_alloc&) {
     return absl::ResourceExhaustedError("the coordinator is out of memory");

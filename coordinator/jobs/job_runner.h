@@ -36,6 +36,7 @@ class JobRunner {
     std::function<void(absl::StatusOr<JobOutcome>)> finished;            // kCancelled after Cancel
     std::function<void()> released;                                      // last; the job has left nothing to take away
     std::function<void(JobFolders)> folders = [](const JobFolders&) {};  // first
+    std::function<void(std::shared_ptr<const SceneSight>)> sight = [](const std::shared_ptr<const SceneSight>&) {};
   };
   enum class Mode { kRun, kResume, kRelease };
 

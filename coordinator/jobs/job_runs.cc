@@ -123,6 +123,11 @@ JobRunner::Sink JobRuns::SinkOf(const std::string& id) {
               [this, id](JobFolders folders) {
                 ClusterLock lock(cluster_.mutex);
                 cluster_.trust.AddJob(id, std::move(folders));
+              },
+          .sight =
+              [this, id](std::shared_ptr<const SceneSight> sight) {
+                ClusterLock lock(cluster_.mutex);
+                cluster_.jobs.at(id).sight = std::move(sight);
               }};
 }
 
@@ -179,6 +184,7 @@ void JobRuns::OnFinished(const std::string& id, absl::StatusOr<JobOutcome> outco
     entry.error = outcome.status();
     entry.ended = cluster_.options.clock();
   }
+  entry.sight.reset();  // the page reads the report now
   updates_.Apply(JobFinished{id, state, entry.ended}).IgnoreError();
   cluster_.events.JobEnded(*job, entry.outcome, entry.error, entry.origin);
   if (state == JobState::kFailed) journal_.PutJob(*job, true);

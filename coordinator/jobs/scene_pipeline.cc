@@ -36,6 +36,7 @@
 #include "coordinator/report/left_open.h"
 #include "coordinator/report/scene_geojson.h"
 #include "coordinator/report/scene_report.h"
+#include "coordinator/report/scene_sight.h"
 #include "coordinator/report/tile_checks.h"
 #include "coordinator/report/water_choice.h"
 #include "coordinator/store/output_folder.h"
@@ -138,12 +139,15 @@ class ScenePipeline : public JobPipeline {
         output_(std::move(output)),
         tile_check_(tiles),
         waves_(std::move(scene), OptionsFor(std::move(chosen), std::move(water)),
-               [this](std::string_view step) { steps_.End(step); }),
-        tasks_(spec_, waves_, output_ ? &*output_ : nullptr, std::move(scratch)) {}
+               [this](std::string_view step) { EndStep(step); }),
+        tasks_(spec_, waves_, output_ ? &*output_ : nullptr, std::move(scratch)),
+        sight_(std::make_shared<SceneSight>(waves_.scene())) {}
 
   absl::StatusOr<JobFolders> Folders() const override {
     return FoldersOf(waves_.scene(), output_ ? &output_->attempts() : nullptr);
   }
+
+  std::shared_ptr<const SceneSight> Sight() const override { return sight_; }
 
   void Resume() override {
     resumed_ = true;
@@ -205,6 +209,11 @@ class ScenePipeline : public JobPipeline {
   }
 
  private:
+  void EndStep(std::string_view step) {
+    steps_.End(step);
+    if (step == "plan") sight_->SetPlan(waves_.plan(), waves_.options().chosen);
+  }
+
   WaveOptions OptionsFor(std::set<CellId> chosen, WaterOptions water) {
     WaveOptions options = WaveOptionsOf(spec_, std::move(water), [this] { return is_cancelled(); });
     options.chosen = std::move(chosen);
@@ -371,6 +380,7 @@ class ScenePipeline : public JobPipeline {
   StepTimes steps_;
   SceneWaves waves_;
   SceneTasks tasks_;
+  const std::shared_ptr<SceneSight> sight_;
   bool resumed_ = false;
   std::optional<TaskReuse> reuse_{std::in_place, std::nullopt};
 };

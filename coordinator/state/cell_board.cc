@@ -1,21 +1,18 @@
 #include "coordinator/state/cell_board.h"
 
-#include <algorithm>
 #include <string_view>
 
 namespace tilemend {
 namespace {
 
-bool IsAheadOf(CellProgress a, CellProgress b) {
-  constexpr std::string_view kOrder = ".spfFwx";
-  return kOrder.find(static_cast<char>(a)) > kOrder.find(static_cast<char>(b));
-}
+// How far a letter is; that of no cell is before all.
+size_t StepOf(char letter) { return std::string_view(" .spfFwx").find(letter); }
 
 }  // namespace
 
 void CellBoard::RaiseTo(CellId cell, CellProgress progress) {
-  CellProgress& known = cells_.try_emplace(cell, CellProgress::kWaiting).first->second;
-  if (IsAheadOf(progress, known)) known = progress;
+  char& known = cells_.Reference(cell);
+  if (StepOf(static_cast<char>(progress)) > StepOf(known)) known = static_cast<char>(progress);
 }
 
 void CellBoard::TaskAdded(CellId cell, Stage stage) {
@@ -41,12 +38,9 @@ void CellBoard::TaskSettled(CellId cell, Stage stage, const absl::Status& status
   }
 }
 
-std::map<CellId, CellProgress> CellBoard::Cells() const {
-  std::map<CellId, CellProgress> cells = cells_;
-  if (!planned_) return cells;
-  for (auto& [cell, progress] : cells) {
-    if (progress == CellProgress::kSurveyed) progress = CellProgress::kPlanned;
-  }
+CellLetters CellBoard::Cells() const {
+  CellLetters cells = cells_;
+  if (planned_) cells.Replace(static_cast<char>(CellProgress::kSurveyed), static_cast<char>(CellProgress::kPlanned));
   return cells;
 }
 

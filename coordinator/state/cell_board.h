@@ -3,11 +3,11 @@
 #define TILEMEND_COORDINATOR_STATE_CELL_BOARD_H_
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "absl/status/status.h"
+#include "common/grid/cell_letters.h"
 #include "common/grid/scene.h"
 #include "common/util/stage.h"
 
@@ -34,7 +34,7 @@ struct CellFailure {
 // Beyond these failures are marked on the map alone.
 inline constexpr size_t kMostCellFailures = 200;
 
-// Holds one entry for each cell that had a task, about 48 bytes. Pure; grows with what it is told.
+// Holds a letter for each cell that had a task. Pure; grows with what it is told.
 class CellBoard {
  public:
   // A task of the cell is to be done.
@@ -42,14 +42,14 @@ class CellBoard {
   // It was done, or failed for good.
   void TaskSettled(CellId cell, Stage stage, const absl::Status& status);
 
-  // By cell; kPlanned in place of kSurveyed once anything was added that follows the plan.
-  std::map<CellId, CellProgress> Cells() const;
+  // The CellProgress of each; kPlanned in place of kSurveyed once anything was added that follows the plan.
+  CellLetters Cells() const;
   const std::vector<CellFailure>& failures() const { return failures_; }
 
  private:
   void RaiseTo(CellId cell, CellProgress progress);
 
-  std::map<CellId, CellProgress> cells_;
+  CellLetters cells_;
   std::vector<CellFailure> failures_;
   bool planned_ = false;
 };

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr char kNoCell = ' ', kWithoutSurface = '-';
+constexpr char kNoCell = CellLetters::kNone;
 
 // The rectangle around cells.
 struct Frame {
@@ -33,27 +33,24 @@ struct Frame {
   size_t IndexOf(CellId cell) const { return static_cast<size_t>((cell.row - r0) * columns() + cell.col - c0); }
 };
 
-Frame FrameOf(const JobCells& job, const Scene* scene) {
+Frame FrameOf(const JobCells& job, const SceneSight* sight) {
   Frame frame;
-  for (const auto& [cell, progress] : job.cells) frame.Add(cell);
-  if (scene == nullptr) return frame;
-  for (const SceneTile& tile : scene->tiles) frame.Add(tile.cell);
+  const auto add = [&](CellId cell, char) { frame.Add(cell); };
+  job.cells.ForEach(add);
+  if (sight != nullptr) sight->cells().ForEach(add);
   return frame;
 }
 
-// What is shown of a cell that had no task.
-char LetterOf(const JobCells& job, const SceneTile& tile) {
-  if (tile.path.empty()) return kWithoutSurface;
-  const bool done = job.state == JobState::kDone || job.state == JobState::kPartial;
-  return static_cast<char>(done ? CellProgress::kWritten : CellProgress::kWaiting);
-}
-
-std::string LettersOf(const JobCells& job, const Scene* scene, const Frame& frame) {
+std::string LettersOf(const JobCells& job, const SceneSight* sight, const Frame& frame) {
   std::string letters(static_cast<size_t>(frame.columns() * frame.rows()), kNoCell);
-  if (scene != nullptr) {
-    for (const SceneTile& tile : scene->tiles) letters[frame.IndexOf(tile.cell)] = LetterOf(job, tile);
+  const bool done = job.state == JobState::kDone || job.state == JobState::kPartial;
+  const char without_task = static_cast<char>(done ? CellProgress::kWritten : CellProgress::kWaiting);
+  if (sight != nullptr) {
+    sight->cells().ForEach([&](CellId cell, char letter) {
+      letters[frame.IndexOf(cell)] = letter == SceneSight::kWithoutSurface ? letter : without_task;
+    });
   }
-  for (const auto& [cell, progress] : job.cells) letters[frame.IndexOf(cell)] = static_cast<char>(progress);
+  job.cells.ForEach([&](CellId cell, char letter) { letters[frame.IndexOf(cell)] = letter; });
   return letters;
 }
 
@@ -69,8 +66,8 @@ Json FailuresOf(const JobCells& job) {
 
 }  // namespace
 
-absl::StatusOr<std::string> CellMapJson(const JobCells& job, const Scene* scene) {
-  const Frame frame = FrameOf(job, scene);
+absl::StatusOr<std::string> CellMapJson(const JobCells& job, const SceneSight* sight) {
+  const Frame frame = FrameOf(job, sight);
   if (frame.columns() * frame.rows() > kMostMapSquares) {
     return WithErrorInfo(absl::ResourceExhaustedError(
                              absl::StrCat("a map of ", frame.columns(), " x ", frame.rows(), " cells is too large")),
@@ -81,9 +78,9 @@ absl::StatusOr<std::string> CellMapJson(const JobCells& job, const Scene* scene)
               {"row", frame.empty() ? 0 : frame.r0},
               {"columns", frame.columns()},
               {"rows", frame.rows()}};
-  if (scene != nullptr) map["cellSize"] = {scene->grid.cell_size.x(), scene->grid.cell_size.y()};
-  map["hasTiles"] = scene != nullptr;
-  map["cells"] = LettersOf(job, scene, frame);
+  if (sight != nullptr) map["cellSize"] = {sight->cell_size().x(), sight->cell_size().y()};
+  map["hasTiles"] = sight != nullptr;
+  map["cells"] = LettersOf(job, sight, frame);
   map["held"] = Json::array();
   for (const CellId cell : job.held) map["held"].push_back({cell.col, cell.row});
   map["failures"] = FailuresOf(job);

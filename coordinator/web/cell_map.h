@@ -5,18 +5,18 @@
 #include <string>
 
 #include "absl/status/statusor.h"
-#include "common/grid/scene.h"
 #include "coordinator/api/jobs_handler.h"
+#include "coordinator/report/scene_sight.h"
 
 namespace tilemend {
 
 // Squares of the rectangle around all cells: kResourceExhausted (TOO_LARGE) beyond.
 inline constexpr int64_t kMostMapSquares = 4'000'000;
 
-// The schema Cells of /v1/openapi.json. Without `scene` the map has the cells that had a task. Of a job that is over
+// The schema Cells of /v1/openapi.json. Without `sight` the map has the cells that had a task. Of a job that is over
 // and was made by an earlier process of the coordinator, all cells count as written if it was done.
 // Cost: O(squares).
-absl::StatusOr<std::string> CellMapJson(const JobCells& job, const Scene* scene);
+absl::StatusOr<std::string> CellMapJson(const JobCells& job, const SceneSight* sight);
 
 }  // namespace tilemend
 

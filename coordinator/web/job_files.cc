@@ -6,21 +6,30 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "absl/strings/ascii.h"
 #include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_split.h"
+#include "common/grid/delivery_paths.h"
+#include "common/records/output_names.h"
 #include "common/util/error_info.h"
 #include "common/util/folders.h"
 #include "common/util/roots.h"
 #include "common/util/status_macros.h"
+#include "common/util/text.h"
+#include "common/util/tile_files.h"
+#include "coordinator/report/json_access.h"
 #include "coordinator/report/page_holes.h"
+#include "coordinator/report/page_review.h"
 
 namespace tilemend {
 namespace {
 
-constexpr char kSceneName[] = "scene.json";
+using Json = nlohmann::ordered_json;
 
 absl::Status NoTile(const std::string& what) {
   return WithErrorInfo(absl::NotFoundError(what), {"TILE_NOT_FOUND", {}});
@@ -71,49 +80,113 @@ absl::StatusOr<std::string> ReadBelow(const std::string& folder, const std::stri
   return ReadAll(file.fd(), look.st_size, path);
 }
 
-// Whether a scene at `path` says its grid itself, so that no mesh need be read.
-bool HasSceneFile(const std::string& path) {
-  return KindOf(absl::EndsWith(path, ".json") ? path : absl::StrCat(path, "/", kSceneName)) == PathKind::kFile;
+// The scene.json that says where the tiles of a job that is over lie: the scene's own, or that beside the output.
+absl::StatusOr<std::string> SceneFileOf(const JobSpec& spec) {
+  for (const std::string& path : {spec.scene(), absl::StrCat(spec.scene(), "/", kSceneFile)}) {
+    if (absl::EndsWith(path, ".json") && !IsTileset(path) && KindOf(path) == PathKind::kFile) return path;
+  }
+  const std::string beside = absl::StrCat(spec.out(), "/", kSceneFile);
+  if (!spec.out().empty() && KindOf(beside) == PathKind::kFile) return beside;
+  return WithErrorInfo(absl::NotFoundError("the scene has no scene.json"), {"SCENE_FILE_NOT_FOUND", {}});
 }
+
+// The folder of the tiles of a scene that is a folder, or a file in it.
+std::string FolderOf(const std::string& scene) {
+  return KindOf(scene) == PathKind::kFolder ? scene : std::filesystem::path(scene).parent_path().string();
+}
+
+LoadedValues<SceneSight>::Result LoadSight(const JobSpec& spec) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::string file, SceneFileOf(spec));
+  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(file, nullptr));
+  scene.root = FolderOf(spec.scene());
+  TILEMEND_RETURN_IF_ERROR(SetDeliveryPaths(spec.output_format(), scene));
+  return std::make_shared<const SceneSight>(scene);
+}
+
+absl::StatusOr<Json> ReadReport(const std::string& out) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadBelow(out, "report.json", kMostReportBytes));
+  Json report = Json::parse(text, nullptr, false);
+  if (!report.is_object()) return absl::DataLossError(absl::StrCat(out, "/report.json: not JSON"));
+  return report;
+}
+
+std::shared_ptr<const std::string> TextOf(const Json& json) {
+  return std::make_shared<const std::string>(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+LoadedValues<std::string>::Result LoadHoles(const std::string& out) {
+  TILEMEND_ASSIGN_OR_RETURN(const Json report, ReadReport(out));
+  return TextOf(
+      {{"holeCount", HoleRowsOf(report).size()}, {"holes", PageHoles(report, kMostListedHoles)}, {"planned", false}});
+}
+
+// The height of the levels' zero is that of the scene.json that says where the tiles lie.
+LoadedValues<std::string>::Result LoadReview(const JobSpec& spec) {
+  TILEMEND_ASSIGN_OR_RETURN(const Json report, ReadReport(spec.out()));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string holes, ReadBelow(spec.out(), "holes.geojson", kMostReportBytes));
+  const auto file = SceneFileOf(spec);
+  const auto scene = file.ok() ? LoadScene(*file, nullptr) : absl::StatusOr<Scene>(file.status());
+  TILEMEND_ASSIGN_OR_RETURN(Json review, PageReview(report, holes, scene.ok() ? &*scene : nullptr));
+  return TextOf({{"scene", Member(report, "scene")},
+                 {"date", Member(report, "date")},
+                 {"look_at", Member(report, "look_at")},
+                 {"review", std::move(review)}});
+}
+
+absl::Status NoReport(const std::string& name) {
+  return WithErrorInfo(absl::NotFoundError(absl::StrCat(name, ": there is no report yet")), {"REPORT_NOT_FOUND", {}});
+}
+
+// Whether a file beside a tile may be one that the tile names; both are relative to one folder, and normal.
+bool MayBelongTo(const std::string& tile, const std::string& path) {
+  for (const absl::string_view part : absl::StrSplit(path, '/')) {
+    if (part.empty() || part.front() == '.') return false;
+  }
+  const std::string ending = absl::AsciiStrToLower(path.substr(std::min(path.rfind('.'), path.size() - 1)));
+  constexpr const char* kBeside[] = {".mtl", ".jpg", ".jpeg", ".png"};
+  if (std::ranges::find(kBeside, ending) != std::end(kBeside)) return true;
+  return IsTileTree(tile) && IsFileOfTree(tile, path) && IsTreeFile(path);
+}
+
+std::string NameOf(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
 }  // namespace
 
-absl::StatusOr<std::shared_ptr<const Scene>> JobFiles::SceneOf(const std::string& name, const JobSpec& spec) {
-  if (auto known = scenes_.Find(name)) return known;
-  if (!HasSceneFile(spec.scene())) {
-    return WithErrorInfo(absl::NotFoundError("the scene has no scene.json"), {"SCENE_FILE_NOT_FOUND", {}});
+absl::StatusOr<std::shared_ptr<const SceneSight>> JobFiles::SightOf(const std::string& name, const JobCells& job) {
+  if (job.sight != nullptr) {
+    sights_.Keep(name, job.sight);
+    return job.sight;
   }
-  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene(), nullptr));
-  auto kept = std::make_shared<const Scene>(std::move(scene));
-  scenes_.Keep(name, kept);
-  return kept;
+  if (!IsOver(job.state)) {
+    return WithErrorInfo(absl::NotFoundError("the scene is not read yet"), {"SCENE_FILE_NOT_FOUND", {}});
+  }
+  return sights_.Find(name, [spec = job.spec] { return LoadSight(spec); });
 }
 
 absl::StatusOr<std::shared_ptr<const std::string>> JobFiles::HolesOf(const std::string& name, const JobCells& job) {
-  if (auto known = holes_.Find(name)) return known;
-  if (job.report.empty()) {
-    return WithErrorInfo(absl::NotFoundError(absl::StrCat(name, ": there is no report yet")), {"REPORT_NOT_FOUND", {}});
-  }
-  TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadBelow(job.spec.out(), "report.json", kMostReportBytes));
-  const auto report = nlohmann::ordered_json::parse(text, nullptr, false);
-  if (!report.is_object()) return absl::DataLossError(absl::StrCat(name, ": its report.json is not JSON"));
-  nlohmann::ordered_json holes = {{"holeCount", HoleRowsOf(report).size()},
-                                  {"holes", PageHoles(report, kMostListedHoles)}};
-  auto kept =
-      std::make_shared<const std::string>(holes.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-  holes_.Keep(name, kept);
-  return kept;
+  if (!job.report.empty()) return holes_.Find(name, [out = job.spec.out()] { return LoadHoles(out); });
+  auto planned = job.sight == nullptr ? nullptr : job.sight->planned_holes();
+  if (planned == nullptr) return NoReport(name);
+  return planned;
 }
 
-absl::StatusOr<JobFiles::Tile> JobFiles::TileOf(const std::string& name, const JobSpec& spec, CellId cell, bool after) {
-  TILEMEND_ASSIGN_OR_RETURN(const auto scene, SceneOf(name, spec));
-  const auto tile = std::ranges::find(scene->tiles, cell, &SceneTile::cell);
-  if (tile == scene->tiles.end() || (!after && tile->path.empty())) {
-    return NoTile(absl::StrCat("cell ", cell.col, ", ", cell.row, ": it has no tile"));
+absl::StatusOr<std::shared_ptr<const std::string>> JobFiles::ReviewOf(const std::string& name, const JobCells& job) {
+  if (job.report.empty()) return NoReport(name);
+  return reviews_.Find(name, [spec = job.spec] { return LoadReview(spec); });
+}
+
+absl::StatusOr<JobFiles::File> JobFiles::FileOf(const std::string& name, const JobCells& job, CellId cell, bool after,
+                                                const std::string& path) {
+  TILEMEND_ASSIGN_OR_RETURN(const auto sight, SightOf(name, job));
+  auto tile = sight->TileOf(cell, after);
+  if (!tile) return NoTile(absl::StrCat("cell ", cell.col, ", ", cell.row, ": it has no tile"));
+  std::string file = tile->path;
+  if (!path.empty()) {
+    file = (std::filesystem::path(tile->path).parent_path() / path).lexically_normal().string();
+    if (!MayBelongTo(tile->path, file)) return NoTile(absl::StrCat(Printable(path), ": not a file of this tile"));
   }
-  const std::string path = after ? OutputPath(*tile) : tile->path;
-  TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadBelow(after ? spec.out() : scene->root, path, kMostTileBytes));
-  return Tile{path.substr(path.rfind('/') + 1), std::move(bytes)};
+  TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadBelow(after ? job.spec.out() : sight->root(), file, kMostTileBytes));
+  return File{NameOf(file), std::move(bytes), std::move(tile->frame)};
 }
 
 }  // namespace tilemend

@@ -1,75 +1,52 @@
-// The files of jobs that the page shows: the scene's grid, the report's holes, the meshes of a cell.
+// The files of jobs that the page shows: the scene's grid, the holes and the review queue, the files of a cell's tile.
 #ifndef TILEMEND_COORDINATOR_WEB_JOB_FILES_H_
 #define TILEMEND_COORDINATOR_WEB_JOB_FILES_H_
 
-#include <cstddef>
-#include <list>
 #include <memory>
-#include <mutex>
 #include <string>
-#include <utility>
 
 #include "absl/status/statusor.h"
-#include "common/grid/scene.h"
 #include "coordinator/api/jobs_handler.h"
+#include "coordinator/report/scene_sight.h"
+#include "coordinator/web/loaded_values.h"
 
 namespace tilemend {
 
 // Larger ones are not served: kResourceExhausted (TOO_LARGE).
 inline constexpr int64_t kMostTileBytes = int64_t{64} << 20;
 inline constexpr int64_t kMostReportBytes = int64_t{256} << 20;
-// More holes than this are not listed one by one: those that were left come first, then the largest.
-inline constexpr size_t kMostListedHoles = 20000;
 
-// A few values by name: those that were asked for last. Thread-safe.
-template <typename T>
-class RecentValues {
- public:
-  explicit RecentValues(size_t most) : most_(most) {}
-
-  // Null if it is not kept.
-  std::shared_ptr<const T> Find(const std::string& name) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    for (auto it = values_.begin(); it != values_.end(); ++it) {
-      if (it->first != name) continue;
-      values_.splice(values_.begin(), values_, it);
-      return it->second;
-    }
-    return nullptr;
-  }
-  void Keep(const std::string& name, std::shared_ptr<const T> value) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    values_.emplace_front(name, std::move(value));
-    if (values_.size() > most_) values_.pop_back();
-  }
-
- private:
-  const size_t most_;
-  std::mutex mutex_;
-  std::list<std::pair<std::string, std::shared_ptr<const T>>> values_;  // the last asked first
-};
-
-// Nothing that comes with a request is ever a path: files are those that the job's scene names, and lie below its
-// folder or the output's, links included. Thread-safe. Calls may wait for a disk.
+// Files are those of a tile that the job's scene names: the tile, and what beside it has the name of a material file,
+// an image or a part of its tree. All are opened below the scene's folder or the output's, links included. Thread-safe.
+// Scenes and reports of jobs that are over are read in the background: kUnavailable until they are there.
 class JobFiles {
  public:
-  // The scene of a job. kNotFound if it has no scene.json yet; errors of LoadScene. Kept for the last jobs asked for.
-  absl::StatusOr<std::shared_ptr<const Scene>> SceneOf(const std::string& name, const JobSpec& spec);
+  // What may be seen of the scene of a job. kNotFound (SCENE_FILE_NOT_FOUND) before the job has read it, or if it is
+  // over and no scene.json lies in the scene's folder or in the output's; errors of LoadScene.
+  absl::StatusOr<std::shared_ptr<const SceneSight>> SightOf(const std::string& name, const JobCells& job);
 
-  // {"holeCount", "holes"} of the report, as JSON text. kNotFound (REPORT_NOT_FOUND) before there is one; errors of
-  // reading.
+  // {"holeCount", "holes", "planned"} as JSON text: as planned, then as in the report. kNotFound (REPORT_NOT_FOUND)
+  // before there is a plan; errors of reading.
   absl::StatusOr<std::shared_ptr<const std::string>> HolesOf(const std::string& name, const JobCells& job);
 
-  struct Tile {
+  // The review queue (page_review.h) as JSON text. kNotFound (REPORT_NOT_FOUND) before there is a report; errors of
+  // reading.
+  absl::StatusOr<std::shared_ptr<const std::string>> ReviewOf(const std::string& name, const JobCells& job);
+
+  struct File {
     std::string name;  // the last part of its path
     std::string bytes;
+    TileFrame frame = {};  // of the tile, as SceneTile::frame
   };
-  // The mesh of a cell, in the scene or in the output. kNotFound (TILE_NOT_FOUND) if the cell has none.
-  absl::StatusOr<Tile> TileOf(const std::string& name, const JobSpec& spec, CellId cell, bool after);
+  // The mesh of a cell, in the scene or in the output, if `path` is empty; else the file of its tile with that path
+  // from the tile's folder. kNotFound (TILE_NOT_FOUND) if the cell has no tile, and for any other file.
+  absl::StatusOr<File> FileOf(const std::string& name, const JobCells& job, CellId cell, bool after,
+                              const std::string& path);
 
  private:
-  RecentValues<Scene> scenes_{8};
-  RecentValues<std::string> holes_{4};
+  LoadedValues<SceneSight> sights_{8};
+  LoadedValues<std::string> holes_{4};
+  LoadedValues<std::string> reviews_{4};
 };
 
 }  // namespace tilemend

@@ -104,7 +104,12 @@ constexpr char kOwnSchemas[] = R"({
     "failures": {"type": "array", "items": {"type": "object", "properties": {
       "cell": {"type": "array", "items": {"type": "integer"}}, "stage": {"type": "string"}, "reason": {"type": "string"}}}}}},
   "Holes": {"type": "object", "properties": {
-    "holeCount": {"type": "integer"}, "holes": {"type": "array", "items": {"type": "object"}}}}
+    "holeCount": {"type": "integer"}, "holes": {"type": "array", "items": {"type": "object"}},
+    "planned": {"type": "boolean", "description": "true: the plan's; what became of them is not known yet"}}},
+  "Review": {"type": "object", "properties": {
+    "scene": {"type": "string"}, "date": {"type": "string"}, "look_at": {"type": "array", "items": {"type": "object"}},
+    "review": {"type": "object"}}},
+  "Log": {"type": "object", "properties": {"lines": {"type": "array", "items": {"type": "string"}}}}
 })";
 
 void AddQuery(const Descriptor& request, MessageSchemas& schemas, Json& parameters) {
@@ -136,6 +141,10 @@ Json OperationOf(const Route& route, MessageSchemas& schemas) {
     if (route.pattern.find(absl::StrCat("{", name, "}")) == std::string_view::npos) continue;
     operation["parameters"].push_back(
         {{"name", name}, {"in", "path"}, {"required", true}, {"schema", {{"type", "string"}}}});
+  }
+  if (!route.parameter.empty()) {
+    operation["parameters"].push_back(
+        {{"name", std::string(route.parameter)}, {"in", "query"}, {"schema", {{"type", "string"}}}});
   }
   const Descriptor* const request = DescriptorPool::generated_pool()->FindMessageTypeByName(std::string(route.request));
   if (request != nullptr && route.method == "GET") AddQuery(*request, schemas, operation["parameters"]);

@@ -10,6 +10,8 @@
 #include "absl/strings/match.h"
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "absl/strings/str_join.h"
 #include "absl/strings/str_split.h"
 #include "common/rpc/trace.h"
 #include "common/store/digest.h"
@@ -194,7 +196,11 @@ absl::StatusOr<HttpAnswer> WebApi::Read(const Match& match, const HttpRequest& r
       return Holes(JobNameOf(match), peer);
     case WebCall::kTileBefore:
     case WebCall::kTileAfter:
-      return TileOf(JobNameOf(match), match.arguments.at("cell"), match.route->call == WebCall::kTileAfter, peer);
+      return TileOf(match, request, peer);
+    case WebCall::kGetReview:
+      return Review(JobNameOf(match), peer);
+    case WebCall::kGetLog:
+      return LogOf(JobNameOf(match), peer);
     case WebCall::kListWorkers: {
       TILEMEND_ASSIGN_OR_RETURN(const auto page, PageRequestOf<v1::ListWorkersRequest>(request));
       return MessageAnswer(calls_.ListWorkers(peer, page));
@@ -234,8 +240,8 @@ absl::StatusOr<HttpAnswer> WebApi::Me(const Peer& peer) const {
 
 absl::StatusOr<HttpAnswer> WebApi::Cells(const std::string& name, const Peer& peer) {
   TILEMEND_ASSIGN_OR_RETURN(const JobCells job, calls_.GetCells(peer, name));
-  const auto scene = files_.SceneOf(name, job.spec);
-  TILEMEND_ASSIGN_OR_RETURN(std::string text, CellMapJson(job, scene.ok() ? scene->get() : nullptr));
+  const auto sight = files_.SightOf(name, job);
+  TILEMEND_ASSIGN_OR_RETURN(std::string text, CellMapJson(job, sight.ok() ? sight->get() : nullptr));
   return JsonAnswer(std::move(text));
 }
 
@@ -245,15 +251,37 @@ absl::StatusOr<HttpAnswer> WebApi::Holes(const std::string& name, const Peer& pe
   return JsonAnswer(*holes);
 }
 
-absl::StatusOr<HttpAnswer> WebApi::TileOf(const std::string& name, const std::string& cell, bool after,
-                                          const Peer& peer) {
+absl::StatusOr<HttpAnswer> WebApi::Review(const std::string& name, const Peer& peer) {
   TILEMEND_ASSIGN_OR_RETURN(const JobCells job, calls_.GetCells(peer, name));
-  const auto id = CellOf(cell);
+  TILEMEND_ASSIGN_OR_RETURN(const auto review, files_.ReviewOf(name, job));
+  return JsonAnswer(*review);
+}
+
+absl::StatusOr<HttpAnswer> WebApi::LogOf(const std::string& name, const Peer& peer) const {
+  v1::GetJobRequest get;
+  get.set_name(name);
+  TILEMEND_RETURN_IF_ERROR(calls_.GetJob(peer, get).status());
+  const std::string id = name.substr(name.find('/') + 1);
+  return JsonAnswer(TextOf({{"lines", log_ == nullptr ? std::vector<std::string>() : log_->LinesOf(id)}}));
+}
+
+absl::StatusOr<HttpAnswer> WebApi::TileOf(const Match& match, const HttpRequest& request, const Peer& peer) {
+  const std::string name = JobNameOf(match);
+  TILEMEND_ASSIGN_OR_RETURN(const JobCells job, calls_.GetCells(peer, name));
+  const auto id = CellOf(match.arguments.at("cell"));
   if (!id) return absl::InvalidArgumentError("expected a cell as COLUMN,ROW");
-  TILEMEND_ASSIGN_OR_RETURN(JobFiles::Tile tile, files_.TileOf(name, job.spec, *id, after));
-  HttpAnswer answer{.type = "application/octet-stream", .body = std::move(tile.bytes)};
-  const size_t dot = tile.name.rfind('.');
-  answer.headers.emplace_back("X-Tile-Format", dot == std::string::npos ? "" : tile.name.substr(dot + 1));
+  const bool after = match.route->call == WebCall::kTileAfter;
+  const auto path = request.query.find("path");
+  const auto wanted = path == request.query.end() ? "" : path->second;
+  TILEMEND_ASSIGN_OR_RETURN(JobFiles::File file, files_.FileOf(name, job, *id, after, wanted));
+  HttpAnswer answer{.type = "application/octet-stream", .body = std::move(file.bytes)};
+  const size_t dot = file.name.rfind('.');
+  answer.headers.emplace_back("X-Tile-Format", dot == std::string::npos ? "" : file.name.substr(dot + 1));
+  if (!file.frame.empty()) {
+    answer.headers.emplace_back("X-Tile-Frame", absl::StrJoin(file.frame, " ", [](std::string* text, double number) {
+                                  absl::StrAppendFormat(text, "%.17g", number);
+                                }));
+  }
   return answer;
 }
 

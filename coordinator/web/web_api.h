@@ -8,6 +8,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/http/http_server.h"
+#include "common/util/job_log_tail.h"
 #include "coordinator/api/guarded_calls.h"
 #include "coordinator/web/job_files.h"
 #include "coordinator/web/routes.h"
@@ -18,8 +19,8 @@ namespace tilemend {
 // rights there and here (GuardedCalls).
 class WebApi {
  public:
-  // `calls` must outlive this.
-  explicit WebApi(const GuardedCalls& calls) : calls_(calls) {}
+  // Both must outlive this. `log`: where the lines on jobs are; null: nowhere.
+  explicit WebApi(const GuardedCalls& calls, const JobLogTail* log = nullptr) : calls_(calls), log_(log) {}
 
   // The answer to a request below /v1/. Errors are {"error": {"code", "message", "reason", "metadata"}}. An answer to
   // GET has an ETag; 304 if that is the one in If-None-Match.
@@ -32,9 +33,12 @@ class WebApi {
   absl::StatusOr<HttpAnswer> Me(const Peer& peer) const;
   absl::StatusOr<HttpAnswer> Cells(const std::string& name, const Peer& peer);
   absl::StatusOr<HttpAnswer> Holes(const std::string& name, const Peer& peer);
-  absl::StatusOr<HttpAnswer> TileOf(const std::string& name, const std::string& cell, bool after, const Peer& peer);
+  absl::StatusOr<HttpAnswer> Review(const std::string& name, const Peer& peer);
+  absl::StatusOr<HttpAnswer> LogOf(const std::string& name, const Peer& peer) const;
+  absl::StatusOr<HttpAnswer> TileOf(const Match& match, const HttpRequest& request, const Peer& peer);
 
   const GuardedCalls& calls_;
+  const JobLogTail* const log_;
   JobFiles files_;
 };
 

@@ -25,7 +25,7 @@ constexpr char kPage[] =
     "<script src=\"/console.js\"></script>\n</body>\n</html>\n";
 
 constexpr char kPolicy[] =
-    "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src 'self' data: blob:; "
+    "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self' blob:; img-src 'self' data: blob:; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 void AddSecurityHeaders(HttpAnswer& answer) {
@@ -77,8 +77,8 @@ HttpAnswer AssetAnswer(const HttpRequest& request, const char* type, std::string
 }  // namespace
 
 struct WebServer::Impl {
-  Impl(Coordinator& coordinator, std::shared_ptr<Gate> gate)
-      : entrance(std::move(gate)), calls(coordinator.calls(), entrance), api(calls) {}
+  Impl(Coordinator& coordinator, std::shared_ptr<Gate> gate, const JobLogTail* log)
+      : entrance(std::move(gate)), calls(coordinator.calls(), entrance), api(calls, log) {}
 
   HttpAnswer Answer(const HttpRequest& request);
 
@@ -112,7 +112,7 @@ absl::StatusOr<std::unique_ptr<WebServer>> WebServer::Start(const std::string& a
                                                             WebOptions options) {
   if (options.gate == nullptr)
     options.gate = std::make_shared<Gate>(Access::Open(), *MetricsRegistry::Null(), *Log::Null());
-  auto impl = std::make_unique<Impl>(coordinator, std::move(options.gate));
+  auto impl = std::make_unique<Impl>(coordinator, std::move(options.gate), options.log);
   impl->is_open = !options.callers_have_names;
   HttpLimits limits;
   limits.time = absl::Seconds(60);

@@ -7,6 +7,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/http/http_server.h"
+#include "common/util/job_log_tail.h"
 #include "coordinator/api/coordinator.h"
 #include "coordinator/api/gate.h"
 
@@ -18,6 +19,7 @@ struct WebOptions {
   // If callers need no name, only requests to an address or to localhost are answered: a page of another site, whose
   // name was made to lead here, sends that name.
   bool callers_have_names = false;
+  const JobLogTail* log = nullptr;  // lines on jobs; null: none are shown. Must outlive the server
 };
 
 // Bounded as HttpServer; an answer that is taken may last 60 s. Ends before `coordinator` does.

@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <cstring>
 
@@ -89,26 +88,6 @@ TEST(CropBytesTest, HasTheSizesThatItsHeaderSays) {
   const size_t corners = (64 + 14 * vertices + triangles + 3) / 4 * 4;
   ASSERT_EQ(bytes.size(), corners + 12 * triangles);
   for (size_t at = corners; at < bytes.size(); at += 4) ASSERT_LT(Number(bytes, at), vertices);
-}
-
-TEST(CropBytesTest, GzipGivesBackItsBytes) {
-  const std::string text(100000, 'a');
-  const auto zipped = Gzip(text);
-  ASSERT_TRUE(zipped.ok());
-  EXPECT_LT(zipped->size(), 1000U);
-  EXPECT_EQ(*zipped, *Gzip(text));
-  std::string back(text.size() + 1, '\0');
-  z_stream stream{};
-  ASSERT_EQ(inflateInit2(&stream, 15 + 16), Z_OK);
-  std::string in = *zipped;
-  stream.next_in = reinterpret_cast<Bytef*>(in.data());
-  stream.avail_in = static_cast<uInt>(in.size());
-  stream.next_out = reinterpret_cast<Bytef*>(back.data());
-  stream.avail_out = static_cast<uInt>(back.size());
-  EXPECT_EQ(inflate(&stream, Z_FINISH), Z_STREAM_END);
-  back.resize(stream.total_out);
-  inflateEnd(&stream);
-  EXPECT_EQ(back, text);
 }
 
 TEST(PictureAtlasTest, PartsKeepTheirColours) {

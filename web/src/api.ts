@@ -1,5 +1,5 @@
 // The JSON mirror of the coordinator (/v1/openapi.json).
-import type { Hole } from './data';
+import type { Hole, LookAt, Review } from './data';
 
 export interface Progress {
   phase: string; cells: string; cellsDone: string; holes: string; holesFilled: string;
@@ -28,7 +28,11 @@ export interface Cells {
   hasTiles: boolean; cells: string; held: [number, number][]; failures: Failure[];
 }
 
-export interface Holes { holeCount: number; holes: Hole[] }
+export interface Holes { holeCount: number; holes: Hole[]; planned: boolean }
+
+export interface JobReview { scene: string | null; date: string | null; look_at: LookAt[] | null; review: Review }
+
+export interface LogLines { lines: string[] }
 
 export interface Me { name: string; maySteer: boolean; isAdmin: boolean }
 
@@ -72,9 +76,14 @@ export async function get<T>(path: string): Promise<T> {
   return value;
 }
 
-export async function getTile(path: string): Promise<{ format: string; bytes: ArrayBuffer }> {
-  const answer = await call('GET', path, {});
-  return { format: (answer.headers.get('X-Tile-Format') ?? '').toLowerCase(), bytes: await answer.arrayBuffer() };
+// The tile of a cell, `path` being /v1/jobs/JOB/cells/CELL/before or after, or a file that the tile names.
+export interface TileFile { format: string; frame: number[] | null; bytes: ArrayBuffer }
+
+export async function getTile(path: string, file = ''): Promise<TileFile> {
+  const answer = await call('GET', file ? `${path}?path=${encodeURIComponent(file)}` : path, {});
+  const frame = answer.headers.get('X-Tile-Frame');
+  return { format: (answer.headers.get('X-Tile-Format') ?? '').toLowerCase(), bytes: await answer.arrayBuffer(),
+    frame: frame ? frame.split(' ').map(Number) : null };
 }
 
 export async function post(path: string, body: unknown): Promise<Job> {

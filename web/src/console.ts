@@ -1,5 +1,5 @@
 // The page of a coordinator: asks every two seconds and shows what has changed.
-import { ApiError, get, hasToken, type Job, type Me, setToken, type WorkerInfo } from './api';
+import { ApiError, get, hasToken, type Job, type Me, setToken, type WorkerInfo, type WorkerTask } from './api';
 import { el } from './dom';
 import { JobView } from './job';
 import { JobList, Rates } from './jobs';
@@ -41,6 +41,15 @@ const logout = el('button', { type: 'button', hidden: '', click: () => { setToke
 const content = el('div', {}, el('section', {}, el('h2', {}, 'Jobs'), list.element), viewBox,
   el('section', {}, el('h2', {}, 'Workers'), workersBox));
 
+// The cell of a task, once its job's map is there.
+let wanted: WorkerTask | null = null;
+
+function showTask(task: WorkerTask): void {
+  wanted = task;
+  if (chosen === task.job) void pollSoon(0);
+  else location.hash = task.job;
+}
+
 function choose(jobs: Job[]): void {
   if (!jobs.some((job) => job.name === chosen)) chosen = jobs[0]?.name ?? '';
   if (chosen === view?.element.dataset['job']) return;
@@ -60,10 +69,13 @@ async function poll(): Promise<void> {
   jobs.forEach((job) => rates.add(job, Date.now()));
   choose(jobs);
   list.update(jobs, me, rates, chosen);
-  if (seen.workers !== workers) workersBox.replaceChildren(workersTable(seen.workers));
+  if (seen.workers !== workers) workersBox.replaceChildren(workersTable(seen.workers, showTask));
   workers = seen.workers;
   const job = jobs.find((j) => j.name === chosen);
-  if (view && job) await view.poll(job);
+  if (!view || !job) return;
+  await view.poll(job);
+  if (wanted?.job === chosen) view.chooseCell([wanted.col, wanted.row]);
+  wanted = null;
 }
 
 async function pollOnce(): Promise<void> {

@@ -2,9 +2,12 @@
 import { BufferAttribute, BufferGeometry, Texture, SRGBColorSpace } from 'three';
 import { unzip } from './unzip';
 
+export type Role = 'kept' | 'added' | 'cleared';
+export interface Part { role: Role; geometry: BufferGeometry; texture: Texture | null }
+
 export interface Crop {
-  geometries: { kept: BufferGeometry; added: BufferGeometry; cleared: BufferGeometry };
-  texture: Texture | null;
+  parts: Part[];
+  remark?: string; // what is not shown
   centre: [number, number, number]; // of the fill, relative to the middle of the crop
   radius: number;                   // of the fill, metres
 }
@@ -54,10 +57,10 @@ export async function readCrop(base64: string): Promise<Crop> {
     result.setIndex(index);
     return result;
   };
-  const [kept, added, cleared] = corners as [number[], number[], number[]];
+  const [kept, added] = corners as [number[], number[], number[]];
+  const texture = await textureOf(buffer.slice(at, at + jpegBytes));
   return {
-    geometries: { kept: geometry(kept), added: geometry(added), cleared: geometry(cleared) },
-    texture: await textureOf(buffer.slice(at, at + jpegBytes)),
+    parts: (['kept', 'added', 'cleared'] as Role[]).map((role, i) => ({ role, geometry: geometry(corners[i]!), texture })),
     ...sphereOf(positions, added.length > 0 ? added : kept) };
 }
 

@@ -16,6 +16,7 @@ export interface Hole {
   doubt: number | null; // m3
   decision: string;
   reason: string;
+  planned?: boolean;    // it is not known yet what becomes of it
 }
 
 export interface Water {

@@ -15,6 +15,7 @@ interface Column {
   key: (hole: Hole) => number | string;
 }
 
+const outcomeOf = (h: Hole): string => (h.planned ? 'planned' : h.filled ? h.method || 'filled' : 'left open');
 const firstLevel = (level: Level) => (Array.isArray(level) ? level[0] : level) ?? -Infinity;
 const COLUMNS: Column[] = [
   { title: 'hole', isNumber: true, text: (h) => String(h.id), key: (h) => h.id },
@@ -24,15 +25,20 @@ const COLUMNS: Column[] = [
     key: (h) => h.centre?.[0] ?? 0 },
   { title: 'kind', isNumber: false, text: (h) => h.kind, key: (h) => h.kind },
   { title: 'area [m\u00b2]', isNumber: true, text: (h) => number(h.area, 1), key: (h) => h.area },
-  { title: 'outcome', isNumber: false, text: (h) => (h.filled ? h.method || 'filled' : 'left open'),
-    key: (h) => (h.filled ? h.method || 'filled' : '') },
+  { title: 'outcome', isNumber: false, text: outcomeOf, key: (h) => (h.filled || h.planned ? outcomeOf(h) : '') },
   { title: 'level [m]', isNumber: true, text: (h) => levelText(h.level), key: (h) => firstLevel(h.level) },
   { title: 'sigma [m]', isNumber: true, text: (h) => number(h.sigma, 3), key: (h) => h.sigma ?? -Infinity },
   { title: 'doubt [m\u00b3]', isNumber: true, text: (h) => number(h.doubt, 1), key: (h) => h.doubt ?? -Infinity },
   { title: 'reason', isNumber: false, text: (h) => h.reason, key: (h) => h.reason },
 ];
 
-export interface HolesTable { element: HTMLElement; showCell: (cell: readonly [number, number, ...number[]]) => void }
+export type HoleRows = Pick<Report, 'per_hole' | 'hole_count'>;
+
+export interface HolesTable {
+  element: HTMLElement;
+  showCell: (cell: readonly [number, number, ...number[]]) => void;
+  update: (rows: HoleRows) => void; // keeps what is filtered and sorted
+}
 
 // A number that an entry must reach to be shown.
 function least(name: string): HTMLInputElement {
@@ -40,19 +46,21 @@ function least(name: string): HTMLInputElement {
 }
 
 // `choose` hears of a hole whose row was chosen.
-export function holesTable(
-  report: Pick<Report, 'per_hole' | 'hole_count'>, choose?: (hole: Hole) => void): HolesTable {
+export function holesTable(rows: HoleRows, choose?: (hole: Hole) => void): HolesTable {
+  let report = rows;
   let sorted: { column: number; down: boolean } | null = null;
   let shown = STEP;
   const search = el('input', { type: 'search', placeholder: 'filter, e.g. water or 3, 14', 'aria-label': 'filter' });
   const outcome = el('select', { 'aria-label': 'outcome' });
-  for (const [value, text] of [['', 'all outcomes'], ['left', 'left open'], ['filled', 'filled']] as const) {
+  for (const [value, text] of [['', 'all outcomes'], ['left', 'left open'], ['filled', 'filled'], ['planned', 'planned']] as const) {
     outcome.append(el('option', { value }, text));
   }
-  const kind = el('select', { 'aria-label': 'kind' }, el('option', { value: '' }, 'all kinds'));
-  for (const name of [...new Set(report.per_hole.map((h) => h.kind))].sort()) {
-    kind.append(el('option', { value: name }, name));
-  }
+  const kind = el('select', { 'aria-label': 'kind' });
+  const tellKinds = () => {
+    const before = kind.value, names = [...new Set(report.per_hole.map((h) => h.kind))].sort();
+    kind.replaceChildren(el('option', { value: '' }, 'all kinds'), ...names.map((name) => el('option', { value: name }, name)));
+    kind.value = names.includes(before) ? before : '';
+  };
   const area = least('least area [m\u00b2]'), sigma = least('least sigma [m]');
   const count = el('span', { class: 'quiet', role: 'status' });
   const head = el('tr'), body = el('tbody');
@@ -61,7 +69,7 @@ export function holesTable(
   const matching = (): Hole[] => {
     const words = search.value.trim().toLowerCase();
     const holes = report.per_hole.filter((hole) =>
-      (outcome.value === '' || (outcome.value === 'filled') === hole.filled) &&
+      (outcome.value === '' || outcome.value === (hole.planned ? 'planned' : hole.filled ? 'filled' : 'left')) &&
       (kind.value === '' || kind.value === hole.kind) &&
       (area.value === '' || hole.area >= Number(area.value)) &&
       (sigma.value === '' || (hole.sigma ?? -Infinity) >= Number(sigma.value)) &&
@@ -80,7 +88,7 @@ export function holesTable(
     const of = listed < report.hole_count ? ` (${number(listed)} of ${number(report.hole_count)} are listed here)` : '';
     count.textContent = counted(holes.length, 'hole') + of;
     body.replaceChildren(...holes.slice(0, shown).map((hole) =>
-      el('tr', { class: hole.filled ? '' : 'open', ...(choose ? { tabindex: '0', click: () => choose(hole),
+      el('tr', { class: hole.filled || hole.planned ? '' : 'open', ...(choose ? { tabindex: '0', click: () => choose(hole),
         keydown: (event: Event) => { if ((event as KeyboardEvent).key === 'Enter') choose(hole); } } : {}) },
         ...COLUMNS.map((c) => el('td', { class: c.isNumber ? 'number' : '' }, c.text(hole))))));
     more.hidden = holes.length <= shown;
@@ -98,6 +106,7 @@ export function holesTable(
   for (const input of [search, outcome, kind, area, sigma]) {
     input.addEventListener('input', () => { shown = STEP; update(); });
   }
+  tellKinds();
   update();
   const element = el('div', {},
     el('div', { class: 'filters' }, search, outcome, kind, area, sigma, count),
@@ -108,5 +117,5 @@ export function holesTable(
     update();
     element.scrollIntoView({ behavior: 'smooth' });
   };
-  return { element, showCell };
+  return { element, showCell, update: (next) => { report = next; tellKinds(); update(); } };
 }

@@ -1,166 +1,163 @@
-// One job: its map as it goes, its holes, its failures, and its cells before and after.
+// One job: its map as it goes, its holes, its failures, its review queue, and its cells before and after.
 import type { WebGLRenderer } from 'three';
-import { type Cells, type Holes, type Job, ApiError, get } from './api';
+import { ApiError, type Cells, get, type Holes, type Job, type JobReview, type LogLines } from './api';
 import type { Hole } from './data';
-import { counted, el, number } from './dom';
-import { type Grid, legendOf, makeGrid, type Square } from './grid';
-import { holesTable, type HolesTable } from './holes';
+import { el, number } from './dom';
+import { Failures } from './failures';
+import { type Grid, legendOf, makeGrid } from './grid';
+import { type HoleRows, holesTable, type HolesTable } from './holes';
+import { JobMap, STATE_NAMES } from './job_map';
 import { isOver } from './jobs';
 import { Card, makeRenderer } from './pictures';
+import { reviewQueue } from './review';
 import { readCell } from './tile';
 
-const LETTERS: Record<string, string> = {
-  '-': 'empty', '.': 'waiting', s: 'surveyed', p: 'planned', f: 'filling', F: 'closed', w: 'written', x: 'failed' };
-const NAMES: [string, string][] = [
-  ['waiting', 'waiting'], ['surveyed', 'surveyed'], ['planned', 'planned'], ['filling', 'filling'],
-  ['closed', 'filled'], ['written', 'written'], ['left', 'holes left open'], ['failed', 'failed'], ['empty', 'no tile']];
-
-interface MapCell extends Square { state: string; held: boolean; filled: number; left: number }
-
-const keyOf = (column: number, row: number): string => `${column},${row}`;
-
-function cellsOf(map: Cells, holes: Holes | null): MapCell[] {
-  const held = new Set(map.held.map(([c, r]) => keyOf(c, r)));
-  const counts = new Map<string, [number, number]>();
-  for (const hole of holes?.holes ?? []) {
-    const key = keyOf(hole.cell[0], hole.cell[1]), [filled, left] = counts.get(key) ?? [0, 0];
-    counts.set(key, hole.filled ? [filled + 1, left] : [filled, left + 1]);
-  }
-  const cells: MapCell[] = [];
-  for (let k = 0; k < map.cells.length; ++k) {
-    const letter = map.cells[k]!;
-    if (letter === ' ') continue;
-    const column = map.column + k % map.columns, row = map.row + Math.floor(k / map.columns);
-    const [filled, left] = counts.get(keyOf(column, row)) ?? [0, 0];
-    const state = left > 0 && letter !== 'x' ? 'left' : LETTERS[letter] ?? 'waiting';
-    cells.push({ column, row, state, held: held.has(keyOf(column, row)), filled, left });
-  }
-  return cells;
-}
-
-function textOf(cell: MapCell): string {
-  const name = NAMES.find(([state]) => state === cell.state)?.[1] ?? cell.state;
-  const holes = cell.filled + cell.left > 0 ? `, ${cell.filled} filled, ${cell.left} left open` : '';
-  return `cell ${cell.column}, ${cell.row}: ${name}${cell.held ? ', a worker has it' : ''}${holes}`;
-}
-
 let renderer: WebGLRenderer | null | undefined;
+
+// The rows of the table. While a job runs the plan's holes are shown, filled where their cells are.
+function rowsOf(holes: Holes, map: JobMap): HoleRows {
+  const rows = !holes.planned ? holes.holes : holes.holes.map((hole) => {
+    const filled = hole.filled && map.isFilled(hole.cell);
+    return { ...hole, filled, planned: hole.filled && !filled };
+  });
+  return { per_hole: rows, hole_count: holes.holeCount };
+}
 
 export class JobView {
   readonly element = el('section', { class: 'jobview' });
   private readonly mapBox = el('div', { class: 'mapbox' });
   private readonly detail = el('div', { class: 'detail' });
-  private readonly failures = el('div', {});
+  private readonly failures = new Failures((cell) => this.chooseCell(cell));
   private readonly warnings = el('div', {});
+  private readonly holesNote = el('p', { class: 'quiet' });
   private readonly holesBox = el('div', {});
-  private grid: Grid<MapCell> | null = null;
-  private cells: MapCell[] = [];
+  private readonly reviewBox = el('div', {});
+  private grid: Grid | null = null;
   private shape = '';
-  private map: Cells | null = null;
+  private map: JobMap | null = null;
   private holes: Holes | null = null;
+  private lines: LogLines = { lines: [] };
   private table: HolesTable | null = null;
 
   constructor(private readonly name: string) {
-    this.element.append(el('h2', {}, `Map of ${name}`),
-      el('div', { class: 'mapanddetail' }, this.mapBox, this.detail), this.warnings, this.failures, this.holesBox);
+    this.element.append(el('h2', {}, `Map of ${name}`), el('div', { class: 'mapanddetail' }, this.mapBox, this.detail),
+      this.warnings, this.failures.element, this.holesBox, this.reviewBox);
   }
 
   async poll(job: Job): Promise<void> {
-    const map = await get<Cells>(`/v1/${this.name}/cells`);
-    const holes = isOver(job) && job.report ? await this.readHoles() : null;
+    const cells = await get<Cells>(`/v1/${this.name}/cells`);
+    const holes = await this.readHoles();
+    const lines = await get<LogLines>(`/v1/${this.name}/log`);
     this.warnings.replaceChildren(...job.warnings.map((text) => el('p', { class: 'warning' }, text)));
-    if (map === this.map && holes === this.holes) return;
-    const newHoles = holes !== this.holes;
-    this.map = map;
+    if (cells === this.map?.cells && holes === this.holes && lines === this.lines) return;
     this.holes = holes;
-    this.draw(map);
-    this.drawFailures(map);
-    if (newHoles) this.drawHoles();
+    this.lines = lines;
+    this.map = new JobMap(cells, holes);
+    this.draw(this.map);
+    this.failures.update(cells, lines.lines);
+    this.drawHoles(job, this.map);
   }
 
+  // Chooses a cell as a click on it does.
+  chooseCell(cell: [number, number]): void {
+    const k = this.map?.indexOf(cell) ?? -1;
+    if (!this.map?.stateOf(k)) return;
+    this.grid?.select(k);
+    this.table?.showCell(cell);
+    this.showDetail(cell, null);
+  }
+
+  // As before while they are read; null if there are none.
   private async readHoles(): Promise<Holes | null> {
     try {
       return await get<Holes>(`/v1/${this.name}/holes`);
     } catch (error) {
-      if (error instanceof ApiError && error.status >= 400) return null; // its folder is gone
+      if (error instanceof ApiError && error.status === 503) return this.holes;
+      if (error instanceof ApiError && error.status >= 400 && error.status !== 401) return null; // none yet, or its folder is gone
       throw error;
     }
   }
 
-  private draw(map: Cells): void {
-    this.cells = cellsOf(map, this.holes);
-    const shape = [map.column, map.row, map.columns, map.rows, this.cells.length].join();
-    if (this.cells.length === 0) {
+  private draw(map: JobMap): void {
+    const shape = Object.values(map.frame).join(), legend = legendOf(STATE_NAMES, map.states());
+    if (map.frame.columns === 0) {
       this.grid = null;
       this.mapBox.replaceChildren(el('p', { class: 'quiet' }, 'The cells are not known yet.'));
       return;
     }
-    const there = new Set(this.cells.map((cell) => cell.state));
-    const legend = legendOf(NAMES, there);
     if (this.grid && shape === this.shape) {
-      this.grid.update(this.cells);
+      this.grid.update(map);
       this.mapBox.lastElementChild?.replaceWith(legend);
       return;
     }
     this.shape = shape;
-    this.grid = makeGrid<MapCell>(this.cells, {
-      stateOf: (cell) => cell.state + (cell.held ? ' held' : ''), textOf, choose: (cell) => this.chooseCell(cell),
-      cellSize: map.cellSize ?? [1, 1] });
-    this.mapBox.replaceChildren(el('div', { class: 'scroll' }, this.grid.element), legend);
+    this.grid = makeGrid(map, { choose: (k) => { if (this.map) this.chooseCell(this.map.cellOf(k)); }, cellSize: map.cells.cellSize ?? [1, 1] });
+    this.mapBox.replaceChildren(this.grid.element, legend);
     if (this.detail.childElementCount === 0) {
       this.detail.append(el('p', { class: 'quiet' }, 'Choose a cell of the map or a hole of the table to see more of it.'));
     }
   }
 
-  private chooseCell(cell: MapCell): void {
-    this.grid?.select(cell);
-    this.table?.showCell([cell.column, cell.row]);
-    this.showDetail(cell, null);
-  }
-
   private chooseHole(hole: Hole): void {
-    const cell = this.cells.find((c) => c.column === hole.cell[0] && c.row === hole.cell[1]);
-    if (!cell) return;
-    this.grid?.select(cell);
-    this.showDetail(cell, hole);
+    this.grid?.select(this.map?.indexOf(hole.cell) ?? -1);
+    this.showDetail(hole.cell, hole);
     this.detail.scrollIntoView({ behavior: 'smooth', block: 'nearest' });
   }
 
-  private showDetail(cell: MapCell, hole: Hole | null): void {
-    const text = hole ? `Hole ${hole.id}, ${number(hole.area, 1)} m\u00b2, in cell ${cell.column}, ${cell.row}` : textOf(cell);
+  private showDetail(cell: [number, number], hole: Hole | null): void {
+    const map = this.map;
+    if (!map) return;
+    const text = hole ? `Hole ${hole.id}, ${number(hole.area, 1)} m\u00b2, in cell ${cell.join(', ')}` : map.textOf(map.indexOf(cell));
     const parts: HTMLElement[] = [el('p', { role: 'status' }, text)];
-    if (this.map?.hasTiles) {
+    if (map.cells.hasTiles) {
       const button = el('button', { type: 'button', click: () => this.showPicture(cell, hole, button) }, 'show before and after');
       parts.push(button);
+    }
+    if (hole?.doubt && !this.holes?.planned) {
+      parts.push(el('button', { type: 'button', class: 'toreview', click: () => void this.showReview(hole) }, 'decide on it in the review queue'));
     }
     this.detail.replaceChildren(...parts);
   }
 
-  private showPicture(cell: MapCell, hole: Hole | null, button: HTMLElement): void {
+  private showPicture(cell: [number, number], hole: Hole | null, button: HTMLElement): void {
     renderer ??= makeRenderer();
     if (!renderer) {
       button.replaceWith(el('p', {}, 'This browser has no WebGL, so there are no pictures.'));
       return;
     }
-    const card = new Card(() => readCell(this.name, [cell.column, cell.row], hole),
-      hole ? `hole ${hole.id} in cell ${cell.column}, ${cell.row}` : `cell ${cell.column}, ${cell.row}`,
+    const card = new Card(() => readCell(this.name, cell, hole), hole ? `hole ${hole.id} in cell ${cell.join(', ')}` : `cell ${cell.join(', ')}`,
       'Drag to turn, click and use the wheel to zoom. \u201cMarked\u201d shows new surface in blue.');
     button.replaceWith(card.element);
     void card.load(renderer);
   }
 
-  private drawFailures(map: Cells): void {
-    if (map.failures.length === 0) return this.failures.replaceChildren();
-    this.failures.replaceChildren(el('h2', {}, counted(map.failures.length, 'failed task')),
-      el('div', { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'failed tasks' }, el('table', {},
-        el('thead', {}, el('tr', {}, ...['cell', 'stage', 'why'].map((text) => el('th', { scope: 'col' }, text)))),
-        el('tbody', {}, ...map.failures.map((f) => el('tr', {}, el('td', {}, f.cell.join(', ')),
-          el('td', {}, f.stage.replace('_', ' ')), el('td', {}, f.reason)))))));
+  private drawHoles(job: Job, map: JobMap): void {
+    const { holes } = this;
+    if (!holes) {
+      this.table = null;
+      this.holesBox.replaceChildren(el('p', { class: 'quiet' },
+        isOver(job) ? 'There is no list of holes.' : 'The holes are listed here once all cells are surveyed and the plan is made.'));
+      return;
+    }
+    this.holesNote.textContent = holes.planned
+      ? 'As planned. A hole counts as filled here when its cell is; the report has the last word, and the methods.' : '';
+    if (this.table) return this.table.update(rowsOf(holes, map));
+    this.table = holesTable(rowsOf(holes, map), (hole) => this.chooseHole(hole));
+    this.holesBox.replaceChildren(el('h2', {}, 'Holes'), this.holesNote, this.table.element);
   }
 
-  private drawHoles(): void {
-    if (!this.holes) return this.holesBox.replaceChildren();
-    this.table = holesTable({ per_hole: this.holes.holes, hole_count: this.holes.holeCount }, (hole) => this.chooseHole(hole));
-    this.holesBox.replaceChildren(el('h2', {}, 'Holes'), this.table.element);
+  // The queue of the report, with the row of the hole in focus.
+  private async showReview(hole: Hole): Promise<void> {
+    if (this.reviewBox.childElementCount === 0) {
+      const { review, ...report } = await get<JobReview>(`/v1/${this.name}/review`);
+      this.reviewBox.replaceChildren(el('h2', {}, 'Review'), reviewQueue(report, review));
+      for (const item of review.items) {
+        for (const id of item.holes) this.reviewed.set(id, item.hole);
+      }
+    }
+    const row = this.reviewBox.querySelector<HTMLElement>(`tr[data-hole="${this.reviewed.get(hole.id) ?? ''}"]`);
+    row?.scrollIntoView({ block: 'center' });
+    row?.focus();
   }
+  private readonly reviewed = new Map<number, number>(); // by hole, the hole of its row
 }

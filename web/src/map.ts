@@ -1,7 +1,7 @@
 // The grid of cells of a report, coloured by what became of their holes.
 import type { Cell, Report } from './data';
 import { el } from './dom';
-import { legendOf, makeGrid } from './grid';
+import { frameOf, indexIn, legendOf, makeGrid } from './grid';
 
 const NAMES: [string, string][] = [
   ['left', 'holes left open'], ['filled', 'all holes filled'], ['whole', 'no hole'], ['empty', 'no tile']];
@@ -20,9 +20,9 @@ function textOf(cell: Cell): string {
 // `choose` hears of a cell that was clicked.
 export function cellMap(report: Report, choose: (cell: Cell) => void): HTMLElement {
   if (report.cells.length === 0) return el('p', {}, 'The report names no cell.');
-  const grid = makeGrid(report.cells.map((cell) => ({ column: cell[0], row: cell[1], cell })), {
-    stateOf: ({ cell }) => stateOf(cell), textOf: ({ cell }) => textOf(cell), choose: ({ cell }) => choose(cell),
-    cellSize: report.grid?.cell_size ?? [1, 1] });
-  return el('div', { class: 'mapbox' }, el('div', { class: 'scroll' }, grid.element),
-    legendOf(NAMES, new Set(report.cells.map(stateOf))));
+  const frame = frameOf(report.cells.map(([column, row]) => ({ column, row })));
+  const cells = new Map(report.cells.map((cell) => [indexIn(frame, cell[0], cell[1]), cell]));
+  const grid = makeGrid({ frame, stateOf: (k) => { const cell = cells.get(k); return cell ? stateOf(cell) : ''; },
+    textOf: (k) => textOf(cells.get(k)!) }, { choose: (k) => choose(cells.get(k)!), cellSize: report.grid?.cell_size ?? [1, 1] });
+  return el('div', { class: 'mapbox' }, grid.element, legendOf(NAMES, new Set(report.cells.map(stateOf))));
 }

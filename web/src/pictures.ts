@@ -1,10 +1,10 @@
 // Pictures of the largest fills: one WebGL context draws them all, each into a canvas of its own, so that they print.
 import {
-  AmbientLight, Color, DirectionalLight, DoubleSide, Group, Mesh, MeshLambertMaterial, PerspectiveCamera, Scene,
+  AmbientLight, type BufferGeometry, Color, DirectionalLight, DoubleSide, Group, Mesh, MeshLambertMaterial, PerspectiveCamera, Scene,
   WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { type Crop, readCrop } from './crop';
+import { type Crop, readCrop, type Role } from './crop';
 import type { Hole, Picture, Report } from './data';
 import { el, number } from './dom';
 import { levelText } from './holes';
@@ -24,23 +24,20 @@ export function makeRenderer(): WebGLRenderer | null {
   }
 }
 
+const hasTexture = (crop: Crop): boolean => crop.parts.some((part) => part.texture !== null);
+
 class View {
   private readonly scene = new Scene();
   private readonly camera: PerspectiveCamera;
-  private readonly added: Mesh<Crop['geometries']['added'], MeshLambertMaterial>;
-  private readonly cleared: Mesh;
+  private readonly meshes: { role: Role; mesh: Mesh<BufferGeometry, MeshLambertMaterial> }[];
 
   constructor(private readonly renderer: WebGLRenderer, crop: Crop) {
     this.camera = new PerspectiveCamera(38, WIDTH / HEIGHT, crop.radius / 50, crop.radius * 60);
-    const material = () => new MeshLambertMaterial({
-      vertexColors: true, side: DoubleSide, flatShading: true, ...(crop.texture ? { map: crop.texture } : {}) });
-    const { kept, added, cleared } = crop.geometries;
-    this.added = new Mesh(added, material());
-    this.cleared = new Mesh(cleared, material());
-    const sun = new DirectionalLight(0xffffff, crop.texture ? 1.0 : 1.9);
+    this.meshes = crop.parts.map(({ role, geometry, texture }) => ({ role, mesh: new Mesh(geometry, new MeshLambertMaterial({
+      vertexColors: geometry.hasAttribute('color'), side: DoubleSide, flatShading: true, ...(texture ? { map: texture } : {}) })) }));
+    const isTextured = hasTexture(crop), sun = new DirectionalLight(0xffffff, isTextured ? 1.0 : 1.9);
     sun.position.set(-0.6, -0.5, 1);
-    this.scene.add(new AmbientLight(0xffffff, crop.texture ? 2.4 : 1.5), sun,
-      new Group().add(new Mesh(kept, material()), this.added, this.cleared));
+    this.scene.add(new AmbientLight(0xffffff, isTextured ? 2.4 : 1.5), sun, new Group().add(...this.meshes.map(({ mesh }) => mesh)));
   }
 
   orbit(canvas: HTMLCanvasElement, crop: Crop, draw: () => void): void {
@@ -58,9 +55,10 @@ class View {
   }
 
   draw(canvas: HTMLCanvasElement, mode: Mode): void {
-    this.added.visible = mode !== 'before';
-    this.cleared.visible = mode === 'before';
-    this.added.material.emissive = new Color(mode === 'marked' ? MARK : 0);
+    for (const { role, mesh } of this.meshes) {
+      mesh.visible = role === 'kept' || (role === 'cleared') === (mode === 'before');
+      if (role === 'added') mesh.material.emissive = new Color(mode === 'marked' ? MARK : 0);
+    }
     this.renderer.render(this.scene, this.camera);
     const pen = canvas.getContext('2d');
     if (!pen) return;
@@ -115,9 +113,9 @@ export class Card {
       const crop = await this.read();
       this.view = new View(renderer, crop);
       this.view.orbit(this.canvas, crop, () => this.draw());
-      this.show(crop.texture ? 'after' : 'marked'); // without texture a fill looks like its surroundings
+      this.show(hasTexture(crop) ? 'after' : 'marked'); // without texture a fill looks like its surroundings
       this.view.draw(this.printed, 'before');
-      this.note.textContent = this.remark;
+      this.note.textContent = [this.remark, crop.remark].filter(Boolean).join(' ');
       this.element.dataset['loaded'] = 'yes';
     } catch (error) {
       this.note.textContent = `This picture cannot be shown: ${error instanceof Error ? error.message : String(error)}`;

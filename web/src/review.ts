@@ -130,7 +130,7 @@ class Row {
   }
 }
 
-export function reviewQueue(report: Report, review: Review): HTMLElement {
+export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at'>, review: Review): HTMLElement {
   const marks = new Marks(`tilemend decisions ${report.scene ?? ''} ${report.date ?? ''}`);
   const reasons = new Map((report.look_at ?? []).map((look: LookAt) => [look.hole, look.why ?? '']));
   const rows = review.items.map((item, i) => new Row(item, i + 1, reasons.get(item.hole) ?? '',

@@ -88,7 +88,7 @@ TEST(HttpServerTest, RefusesABodyThatIsTooLarge) {
   EXPECT_EQ(result->status, 413);
 }
 
-TEST(HttpServerTest, TwoThousandOpenConnectionsKeepNobodyOutForLong) {
+TEST(HttpServerTest, TwoThousandOpenConnectionsDelayNobody) {
   rlimit limit{};
   ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &limit), 0);
   limit.rlim_cur = limit.rlim_max;
@@ -104,8 +104,7 @@ TEST(HttpServerTest, TwoThousandOpenConnectionsKeepNobodyOutForLong) {
   const auto result = client.Get("/");
   ASSERT_TRUE(result);
   EXPECT_EQ(result->body, "here");
-  // A quarter of a second for each of 2,000, sixteen at a time: 31 s.
-  EXPECT_LT(absl::Now() - begin, absl::Seconds(60));
+  EXPECT_LT(absl::Now() - begin, absl::Seconds(1));
   for (const int fd : open) close(fd);
 }
 

@@ -60,7 +60,8 @@ class WebApiTest : public CoordinatorTest {
   ListLog log_;
   Entrance entrance_{std::make_shared<Gate>(*Access::Closed(Tokens(), *Log::Null()), registry_, log_)};
   GuardedCalls guarded_{calls_, entrance_};
-  WebApi api_{guarded_};
+  JobLogTail tail_{log_};
+  WebApi api_{guarded_, &tail_};
   int jobs_ = 0;
 };
 
@@ -169,7 +170,18 @@ TEST_F(WebApiTest, ShowsTheCellsOfARunningJob) {
   EXPECT_EQ(map["held"].size(), 1);
   EXPECT_EQ(map["hasTiles"], false);
   EXPECT_EQ(Get(job + "/holes").status, 404);
+  EXPECT_EQ(Get(job + "/review").status, 404);
   EXPECT_EQ(Get(job + "/cells/0,0/after").status, 404);
+}
+
+TEST_F(WebApiTest, ShowsTheLogLinesOfAJob) {
+  const std::string job = NewJob();
+  EXPECT_EQ(Json::parse(Get(job + "/log").body)["lines"], Json::array());
+  tail_.Warn("attempt lost", {{"job", job.substr(std::string("/v1/jobs/").size())}, {"worker", "w"}});
+  const Json lines = Json::parse(Get(job + "/log").body)["lines"];
+  ASSERT_EQ(lines.size(), 1);
+  EXPECT_THAT(lines[0].get<std::string>(), HasSubstr("attempt lost"));
+  EXPECT_EQ(Get("/v1/jobs/none/log").status, 404);
 }
 
 TEST_F(WebApiTest, ErrorsOfCallsHaveTheirHttpStatus) {

@@ -1,4 +1,4 @@
-#include "client/page_review.h"
+#include "coordinator/report/page_review.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>

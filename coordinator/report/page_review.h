@@ -1,6 +1,6 @@
-// The review queue of report.html: the fills to decide on, with the polygons that decisions name.
-#ifndef TILEMEND_CLIENT_PAGE_REVIEW_H_
-#define TILEMEND_CLIENT_PAGE_REVIEW_H_
+// The review queue of the pages: the fills to decide on, with the polygons that decisions name.
+#ifndef TILEMEND_COORDINATOR_REPORT_PAGE_REVIEW_H_
+#define TILEMEND_COORDINATOR_REPORT_PAGE_REVIEW_H_
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
@@ -25,4 +25,4 @@ absl::StatusOr<nlohmann::ordered_json> PageReview(const nlohmann::ordered_json& 
 
 }  // namespace tilemend
 
-#endif  // TILEMEND_CLIENT_PAGE_REVIEW_H_
+#endif  // TILEMEND_COORDINATOR_REPORT_PAGE_REVIEW_H_

@@ -1,4 +1,4 @@
-#include "client/page_review.h"
+#include "coordinator/report/page_review.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 #include "absl/strings/escaping.h"
 #include "absl/strings/str_cat.h"
-#include "client/crop_bytes.h"
+#include "common/store/gzip.h"
 #include "common/util/status_macros.h"
 #include "coordinator/report/json_access.h"
 

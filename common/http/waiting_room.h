@@ -1,0 +1,62 @@
+// Connections from which no request has come yet. They take no thread.
+#ifndef TILEMEND_COMMON_HTTP_WAITING_ROOM_H_
+#define TILEMEND_COMMON_HTTP_WAITING_ROOM_H_
+
+#include <cstddef>
+#include <functional>
+#include <list>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include "absl/time/time.h"
+
+namespace tilemend {
+
+// One thread watches all of them. When there are too many, the one that came first is closed: who has something to ask
+// does so at once. Thread-safe.
+class WaitingRoom {
+ public:
+  struct Limits {
+    size_t connections = 256;
+    absl::Duration time = absl::Seconds(5);  // then a connection is closed
+    bool whole_head = true;                  // wait for the end of the request's head; false (TLS): for its first byte
+  };
+
+  // `leave` is called on the thread with each connection that has sent what it waits for; it takes the socket.
+  WaitingRoom(Limits limits, std::function<void(int fd)> leave);
+  // As Close.
+  ~WaitingRoom();
+
+  // Takes the socket.
+  void Add(int fd);
+  // Closes all connections, and those that come from now on. Ends the thread.
+  void Close();
+
+ private:
+  struct Guest {
+    int fd;
+    absl::Time until;
+  };
+  using Guests = std::list<Guest>;
+
+  void Watch();
+  // Whether it has sent what it waits for, or can send no more.
+  bool IsReady(int fd) const;
+  void TakeReady(int fd);
+  void CloseOverdue();
+  void CloseFirst();  // needs the lock
+
+  const Limits limits_;
+  const std::function<void(int fd)> leave_;
+  const int epoll_, wake_;
+  std::mutex mutex_;
+  Guests guests_;  // the first first
+  std::map<int, Guests::iterator> by_fd_;
+  bool closed_ = false;
+  std::thread thread_;  // last: it uses the others
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COMMON_HTTP_WAITING_ROOM_H_

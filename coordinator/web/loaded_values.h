@@ -1,0 +1,120 @@
+// Values that take long to read, read on a thread of their own so that no request waits for them.
+#ifndef TILEMEND_COORDINATOR_WEB_LOADED_VALUES_H_
+#define TILEMEND_COORDINATOR_WEB_LOADED_VALUES_H_
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+
+namespace tilemend {
+
+// A request waits so long for a value that is not there.
+inline constexpr std::chrono::milliseconds kLoadingPatience(40);
+
+// The values that were asked for last, by name. Thread-safe.
+template <typename T>
+class LoadedValues {
+ public:
+  using Result = absl::StatusOr<std::shared_ptr<const T>>;
+  using Load = std::function<Result()>;
+
+  explicit LoadedValues(size_t most) : most_(most) {}
+  ~LoadedValues() {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      ends_ = true;
+    }
+    changed_.notify_all();
+    if (thread_.joinable()) thread_.join();
+  }
+
+  // What `load` gave for this name, be it an error. It is called once, on the thread here; kUnavailable until
+  // then.
+  Result Find(const std::string& name, Load load) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    if (Entry* const known = Touch(name); known == nullptr) Insert(name, std::move(load));
+    const auto there = [&] {
+      const Entry* const entry = Touch(name);
+      return entry == nullptr || entry->result.has_value();
+    };
+    changed_.wait_for(lock, kLoadingPatience, there);
+    const Entry* const entry = Touch(name);
+    if (entry != nullptr && entry->result) return *entry->result;
+    return absl::UnavailableError("it is being read; ask again");
+  }
+
+  // Puts a value there that somebody else has made.
+  void Keep(const std::string& name, std::shared_ptr<const T> value) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (Entry* const known = Touch(name)) {
+      known->result = std::move(value);
+      return;
+    }
+    entries_.push_front({name, Result(std::move(value))});
+    DropOldest();
+  }
+
+ private:
+  struct Entry {
+    std::string name;
+    std::optional<Result> result = std::nullopt;  // none: it is being loaded
+  };
+
+  // The entry of that name, which is the last asked for now. Null if there is none.
+  Entry* Touch(const std::string& name) {
+    for (auto it = entries_.begin(); it != entries_.end(); ++it) {
+      if (it->name != name) continue;
+      entries_.splice(entries_.begin(), entries_, it);
+      return &entries_.front();
+    }
+    return nullptr;
+  }
+  void DropOldest() {
+    if (entries_.size() > most_) entries_.pop_back();
+  }
+  void Insert(const std::string& name, Load load) {
+    entries_.push_front({name});
+    DropOldest();
+    waiting_.emplace_back(name, std::move(load));
+    if (!thread_.joinable()) thread_ = std::thread([this] { LoadAll(); });
+    changed_.notify_all();
+  }
+  void LoadAll() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (true) {
+      changed_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
+      if (ends_) return;
+      const auto [name, load] = std::move(waiting_.front());
+      waiting_.pop_front();
+      if (Touch(name) == nullptr) continue;  // others were asked for since
+      lock.unlock();
+      Result result = load();
+      lock.lock();
+      if (Entry* const entry = Touch(name)) entry->result = std::move(result);
+      changed_.notify_all();
+    }
+  }
+
+  const size_t most_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::list<Entry> entries_;  // the last asked for first
+  std::deque<std::pair<std::string, Load>> waiting_;
+  bool ends_ = false;
+  std::thread thread_;
+};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_WEB_LOADED_VALUES_H_

@@ -1,0 +1,97 @@
+#include "common/http/waiting_room.h"
+
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <semaphore>
+#include <string>
+
+namespace tilemend {
+namespace {
+
+// A connection: what is written to `ours` comes to `theirs`, which the room takes.
+struct Pair {
+  Pair() {
+    std::array<int, 2> fds{};
+    EXPECT_EQ(socketpair(AF_UNIX, SOCK_STREAM, 0, fds.data()), 0);
+    ours = fds[0];
+    theirs = fds[1];
+  }
+  ~Pair() { close(ours); }
+  void Say(const std::string& text) const {
+    EXPECT_EQ(write(ours, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+  }
+  // Waits for the end of the other side.
+  bool IsClosed() const {
+    char byte = 0;
+    return read(ours, &byte, 1) == 0;
+  }
+
+  int ours = -1, theirs = -1;
+};
+
+class WaitingRoomTest : public ::testing::Test {
+ protected:
+  std::function<void(int)> Leave() {
+    return [this](int fd) {
+      left_ = fd;
+      close(fd);
+      leave_.release();
+    };
+  }
+  std::binary_semaphore leave_{0};
+  int left_ = -1;
+};
+
+TEST_F(WaitingRoomTest, AConnectionLeavesWhenItsRequestIsThere) {
+  WaitingRoom room({}, Leave());
+  const Pair idle, asking;
+  room.Add(idle.theirs);
+  room.Add(asking.theirs);
+  asking.Say("GET / HTTP/1.1\r\nHost: x\r\n");
+  EXPECT_FALSE(leave_.try_acquire_for(std::chrono::milliseconds(50)));
+  asking.Say("\r\n");
+  leave_.acquire();
+  EXPECT_EQ(left_, asking.theirs);
+}
+
+TEST_F(WaitingRoomTest, OverTlsTheFirstByteIsEnough) {
+  WaitingRoom room({.whole_head = false}, Leave());
+  const Pair asking;
+  room.Add(asking.theirs);
+  asking.Say("x");
+  leave_.acquire();
+  EXPECT_EQ(left_, asking.theirs);
+}
+
+TEST_F(WaitingRoomTest, WhoCameFirstIsClosedWhenThereAreTooMany) {
+  WaitingRoom room({.connections = 2, .time = absl::InfiniteDuration()}, Leave());
+  const Pair first, second, third;
+  for (const Pair* pair : {&first, &second, &third}) room.Add(pair->theirs);
+  EXPECT_TRUE(first.IsClosed());
+  third.Say("\r\n\r\n");
+  leave_.acquire();
+  EXPECT_EQ(left_, third.theirs);
+}
+
+TEST_F(WaitingRoomTest, ClosesWhatAsksNothingInTime) {
+  WaitingRoom room({.time = absl::Milliseconds(1)}, Leave());
+  const Pair idle;
+  room.Add(idle.theirs);
+  EXPECT_TRUE(idle.IsClosed());
+}
+
+TEST_F(WaitingRoomTest, ClosesAllInTheEnd) {
+  WaitingRoom room({.time = absl::InfiniteDuration()}, Leave());
+  const Pair early, late;
+  room.Add(early.theirs);
+  room.Close();
+  room.Add(late.theirs);
+  EXPECT_TRUE(early.IsClosed());
+  EXPECT_TRUE(late.IsClosed());
+}
+
+}  // namespace
+}  // namespace tilemend

@@ -1,0 +1,60 @@
+// The map of a job: how far each cell is, with what became of its holes.
+import type { Cells, Holes } from './api';
+import { type Frame, indexIn, type Squares } from './grid';
+
+const STATES: Record<string, string> = {
+  '-': 'empty', '.': 'waiting', s: 'surveyed', p: 'planned', f: 'filling', F: 'closed', w: 'written', x: 'failed' };
+export const STATE_NAMES: [string, string][] = [
+  ['waiting', 'waiting'], ['surveyed', 'surveyed'], ['planned', 'planned'], ['filling', 'filling'],
+  ['closed', 'filled'], ['written', 'written'], ['left', 'holes left open'], ['failed', 'failed'], ['empty', 'no tile']];
+
+// Letters of cells whose fills are there.
+const FILLED = 'Fw';
+
+export class JobMap implements Squares {
+  readonly frame: Frame;
+  private readonly held: Set<number>;
+  private readonly counts = new Map<number, [number, number]>(); // holes and those that stay open, by cell
+
+  constructor(readonly cells: Cells, private readonly holes: Holes | null) {
+    this.frame = { column: cells.column, row: cells.row, columns: cells.columns, rows: cells.rows };
+    this.held = new Set(cells.held.map(([column, row]) => indexIn(this.frame, column, row)));
+    for (const hole of holes?.holes ?? []) {
+      const k = this.indexOf(hole.cell), [all, open] = this.counts.get(k) ?? [0, 0];
+      this.counts.set(k, [all + 1, open + (hole.filled ? 0 : 1)]);
+    }
+  }
+
+  indexOf(cell: [number, number]): number { return indexIn(this.frame, cell[0], cell[1]); }
+  cellOf(k: number): [number, number] {
+    return [this.frame.column + k % this.frame.columns, this.frame.row + Math.floor(k / this.frame.columns)];
+  }
+  // Whether the cell's holes are filled.
+  isFilled(cell: [number, number]): boolean { return FILLED.includes(this.cells.cells[this.indexOf(cell)] ?? ' '); }
+
+  readonly stateOf = (k: number): string => {
+    const letter = this.cells.cells[k];
+    if (letter === undefined || letter === ' ') return '';
+    const state = this.leftIn(k) > 0 && letter !== 'x' ? 'left' : STATES[letter] ?? 'waiting';
+    return this.held.has(k) ? `${state} held` : state;
+  };
+
+  readonly textOf = (k: number): string => {
+    const [column, row] = this.cellOf(k), state = this.stateOf(k).split(' ')[0];
+    const name = STATE_NAMES.find(([name]) => name === state)?.[1] ?? '', [all, open] = this.counts.get(k) ?? [0, 0];
+    const holes = all === 0 ? '' : this.holes?.planned ? `, ${all} to fill${open > 0 ? `, ${open} of them stay open` : ''}`
+      : `, ${all - open} filled, ${open} left open`;
+    return `cell ${column}, ${row}: ${name}${this.held.has(k) ? ', a worker has it' : ''}${holes}`;
+  };
+
+  // Those that are there.
+  states(): Set<string> {
+    const letters = new Set(this.cells.cells);
+    letters.delete(' ');
+    const states = new Set([...letters].map((letter) => STATES[letter] ?? 'waiting'));
+    for (const k of this.counts.keys()) if (this.leftIn(k) > 0) states.add('left');
+    return states;
+  }
+
+  private leftIn(k: number): number { return this.counts.get(k)?.[1] ?? 0; }
+}
