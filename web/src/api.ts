@@ -86,6 +86,16 @@ export async function getTile(path: string, file = ''): Promise<TileFile> {
     frame: frame ? frame.split(' ').map(Number) : null };
 }
 
+// Null if there is no such file.
+export async function getTileIfThere(path: string, file = ''): Promise<TileFile | null> {
+  try {
+    return await getTile(path, file);
+  } catch (error) {
+    if (error instanceof ApiError && error.reason === 'TILE_NOT_FOUND') return null;
+    throw error;
+  }
+}
+
 export async function post(path: string, body: unknown): Promise<Job> {
   return await (await call('POST', path, { 'Content-Type': 'application/json' }, JSON.stringify(body))).json() as Job;
 }

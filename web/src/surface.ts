@@ -37,6 +37,7 @@ export function surfaceOf(geometry: BufferGeometry, image: string, start = 0, co
   return { positions: numbers('position', 3)!, places: numbers('uv', 2), colours: numbers('color', 3), image };
 }
 
+export const MOST_BYTES = 96 << 20; // of files of a tile in one picture
 const MOST_PIXELS = 2048; // along a side: larger images are drawn smaller
 
 // An image file for places whose v points up (OBJ, OSGB).

@@ -1,10 +1,11 @@
 // A cell before and after, from the tiles' own files: what the output has beyond the input is new.
 import { BufferAttribute, BufferGeometry, type Matrix4, type Texture } from 'three';
 import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
-import { ApiError, getTile } from './api';
+import { getTileIfThere } from './api';
 import { type Crop, type Part, type Role, sphereOf } from './crop';
 import type { Hole } from './data';
 import { readObj } from './obj';
+import { readOsgb } from './osgb_tile';
 import { EMPTY, type Focus, type Surface, surfaceOf, type Tile } from './surface';
 import { readTileset } from './tileset';
 import { TriangleSet } from './triangle_set';
@@ -12,21 +13,14 @@ import { TriangleSet } from './triangle_set';
 const SHOWN_AROUND = 6; // times the radius of a hole: what the picture shows when it is turned and zoomed out
 
 async function readTile(path: string, focus: Focus | null, frame: Matrix4 | null = null): Promise<Tile & { format: string }> {
-  try {
-    const file = await getTile(path);
-    const tile = await (async (): Promise<Tile> => {
-      switch (file.format) {
-        case 'ply': return { ...EMPTY, surfaces: [surfaceOf(new PLYLoader().parse(file.bytes), '')] };
-        case 'obj': return readObj(path, file.bytes);
-        case 'json': return readTileset(path, file, focus, frame);
-        default: throw new Error(`This page does not draw tiles of format .${file.format}. It draws OBJ, PLY and 3D Tiles; ` +
-          '`tilemend report OUT --html` makes a page with pictures of the others.');
-      }
-    })();
-    return { ...tile, format: file.format };
-  } catch (error) {
-    if (error instanceof ApiError && error.reason === 'TILE_NOT_FOUND') return { ...EMPTY, format: '' };
-    throw error;
+  const file = await getTileIfThere(path);
+  switch (file?.format) {
+    case undefined: return { ...EMPTY, format: '' };
+    case 'ply': return { ...EMPTY, surfaces: [surfaceOf(new PLYLoader().parse(file!.bytes), '')], format: 'ply' };
+    case 'obj': return { ...await readObj(path, file!.bytes), format: 'obj' };
+    case 'json': return { ...await readTileset(path, file!, focus, frame), format: 'json' };
+    case 'osgb': return { ...await readOsgb(path, file!.bytes, focus), format: 'osgb' };
+    default: throw new Error(`This page does not draw tiles of format .${file!.format}. \`tilemend report OUT --html\` makes a page with pictures of them.`);
   }
 }
 
@@ -71,6 +65,20 @@ function middleOf(cuts: Cut[]): [number, number, number] {
     }
   }
   return lo.map((low, k) => (Number.isFinite(low) ? (low + hi[k]!) / 2 : 0)) as [number, number, number];
+}
+
+// The height of the surface beside a place.
+function heightAt(cuts: Cut[], { x, y }: Focus): number {
+  let [best, height] = [Infinity, 0];
+  for (const { surface: { positions: p }, starts } of cuts) {
+    for (const start of [...starts.values()].flat()) {
+      for (let i = start; i < start + 9; i += 3) {
+        const distance = Math.hypot(p[i]! - x, p[i + 1]! - y);
+        if (distance < best) [best, height] = [distance, p[i + 2]!];
+      }
+    }
+  }
+  return height;
 }
 
 const GREY = 0.34; // of what has neither image nor colour
@@ -134,5 +142,5 @@ export async function readCell(job: string, cell: [number, number], hole: Hole |
     isWritten && before.format && before.format !== after.format ? 'The output has another format, so all of it counts as new.' : '',
     ...new Set([...before.notes, ...after.notes])].filter(Boolean).join(' ');
   if (!focus) return { parts, remark, ...sphereOfParts(parts) };
-  return { parts, remark, centre: [focus.x - middle[0], focus.y - middle[1], (hole?.centre[2] ?? middle[2]) - middle[2]], radius };
+  return { parts, remark, centre: [focus.x - middle[0], focus.y - middle[1], heightAt(cuts, focus) - middle[2]], radius };
 }

@@ -1,11 +1,9 @@
 // Tiles that are tilesets of 3D Tiles: the finest models, with their images.
 import { type Material, Matrix4, type Mesh, type Texture, Vector3 } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import { getTile, type TileFile } from './api';
+import { getTile, getTileIfThere, type TileFile } from './api';
 import { sceneFrame, type Volume } from './earth';
-import { type Focus, type Surface, surfaceOf, type Tile } from './surface';
-
-const MOST_BYTES = 96 << 20; // of models in one picture
+import { type Focus, MOST_BYTES, type Surface, surfaceOf, type Tile } from './surface';
 
 interface Content { uri?: string; url?: string }
 interface Node {
@@ -121,14 +119,19 @@ export async function readTileset(path: string, file: TileFile, focus: Focus | n
   const toScene = frame ?? (file.frame ? new Matrix4().fromArray(file.frame) : sceneFrame(root.boundingVolume, transform));
   await walk.tileset(tileset, '', toScene);
   const surfaces: Surface[] = [], notes: string[] = [];
-  let bytes = 0, left = walk.models.length;
+  let bytes = 0, missing = 0, left = walk.models.length;
   for (const model of walk.models) {
     if (bytes > MOST_BYTES) break;
-    const { bytes: read } = await getTile(path, model.file);
-    bytes += read.byteLength;
-    surfaces.push(...await models.read(read, model));
     --left;
+    const read = await getTileIfThere(path, model.file);
+    if (!read) {
+      ++missing;
+      continue;
+    }
+    bytes += read.bytes.byteLength;
+    surfaces.push(...await models.read(read.bytes, model));
   }
   if (left > 0) notes.push(`${left} of ${walk.models.length} models are not shown: choose a hole to see its surroundings.`);
+  if (missing > 0) notes.push(`Models that are missing: ${missing}.`);
   return { surfaces, notes, frame: toScene, texture: async (image) => models.textures.get(image) ?? null };
 }
