@@ -1,59 +1,16 @@
 // Opens the coordinator's page in Chromium and uses it: open_console.mjs URL CHROMIUM FOLDER STEP. Prints what is wrong,
 // one line each. Writes STEP.png to FOLDER. Waits for a line on its input where the test has to do something.
-import { chromium } from 'playwright-core';
-import { existsSync, readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
+import { Console } from './console_tab.mjs';
 
 const [, , url, program, folder, chosen] = process.argv;
-const browser = await chromium.launch({
-  executablePath: program,
-  args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'] });
-const faults = [];
-const expect = (holds, what) => { if (!holds) faults.push(what); };
 const lines = createInterface({ input: process.stdin })[Symbol.asyncIterator]();
 const ask = async (what) => { console.log(`DO ${what}`); await lines.next(); };
-let mayFail = false; // requests, while the coordinator is down
+const page = await Console.start(url, program);
+const expect = page.expect.bind(page);
 
-async function open(colorScheme, token) {
-  const context = await browser.newContext({ viewport: { width: 1240, height: 1000 }, colorScheme });
-  const tab = await context.newPage();
-  tab.on('pageerror', (error) => faults.push(`error: ${error.message}`));
-  tab.on('console', (message) => {
-    if (message.type() === 'error' && !mayFail && !/status of 40[14]/.test(message.text())) faults.push(`console: ${message.text()}`);
-  });
-  tab.on('dialog', (dialog) => { faults.push('a text ran as a script'); dialog.dismiss(); });
-  tab.on('request', (request) => { if (!request.url().startsWith(url) && !/^(data|blob):/.test(request.url())) faults.push(`request: ${request.url()}`); });
-  await tab.goto(`${url}/#${chosen}`);
-  await tab.waitForSelector('.login:not([hidden])', { timeout: 20000 });
-  expect(await tab.locator('.jobs').isHidden(), 'jobs are shown before a token is given');
-  await tab.locator('#token').fill('wrong');
-  await tab.locator('.login button').click();
-  await tab.waitForFunction(() => document.querySelector('[role=alert]')?.textContent.includes('not known'));
-  await tab.locator('#token').fill(token);
-  await tab.locator('.login button').click();
-  await tab.waitForSelector('.map', { timeout: 20000 });
-  return tab;
-}
-
-// Serious findings of axe-core, where it is installed.
-async function checkAccess(tab, where) {
-  const path = createRequire(import.meta.url).resolve.paths('axe-core').map((p) => join(p, 'axe-core/axe.min.js')).find(existsSync);
-  if (!path) return console.log('NOTE axe-core is not installed');
-  const found = await tab.evaluate(async (source) => {
-    new Function(source).call(window);
-    const { passes, violations } = await window.axe.run();
-    if (passes.length < 10) return [`axe checked only ${passes.length} rules`];
-    return violations.map((v) => `${v.impact} ${v.id}: ${v.nodes.slice(0, 2).map((n) => n.html.slice(0, 100)).join(' | ')}`);
-  }, readFileSync(path, 'utf8')).catch((error) => [`axe did not run: ${error.message}`]);
-  for (const line of found) {
-    if (/^(serious|critical|axe)/.test(line)) faults.push(`${where}: ${line}`);
-    else console.log(`NOTE ${where}: ${line}`);
-  }
-}
-
-const tab = await open('light', 'ann');
+const tab = await page.open('light', 'ann', chosen);
 const job = (n) => tab.locator('.job').nth(n);
 expect(await tab.locator('.job').count() === 3, `${await tab.locator('.job').count()} jobs are shown`);
 await tab.waitForSelector('table.holes tbody tr', { timeout: 20000 });
@@ -81,7 +38,7 @@ for (const mode of ['before', 'after', 'marked']) {
   pictures.add(await pixels());
 }
 expect(pictures.size === 3, `before, after and marked show ${pictures.size} pictures`);
-await checkAccess(tab, 'job');
+await page.checkAccess(tab, 'job');
 await tab.evaluate(() => scrollTo(0, 0));
 await tab.screenshot({ path: join(folder, 'console_job.png'), fullPage: true });
 await tab.locator('svg.map').focus();
@@ -106,13 +63,13 @@ await tab.evaluate(() => scrollTo(0, 0));
 await tab.screenshot({ path: join(folder, 'console_large.png') });
 
 // The coordinator is killed and comes back.
-mayFail = true;
+page.mayFail = true;
 await ask('kill');
 await tab.waitForFunction(() => document.querySelector('[role=alert]')?.textContent.includes('does not answer'), null, { timeout: 20000 });
 expect(await tab.locator('.job').count() === 3, 'the jobs are gone while the coordinator is down');
 await ask('start');
 await tab.waitForFunction(() => document.querySelector('[role=alert]')?.hidden, null, { timeout: 30000 });
-mayFail = false;
+page.mayFail = false;
 expect(await large.locator('.priority').inputValue() === '7', 'the priority was not kept');
 await large.locator('button', { hasText: 'cancel' }).click();
 await large.locator('button', { hasText: 'really' }).click();
@@ -122,11 +79,9 @@ await tab.waitForSelector('table.holes tbody tr', { timeout: 20000 });
 expect(await tab.locator('svg.map rect.written').count() >= 8, 'after a restart cells are not shown as written');
 
 // Who may watch alone has no buttons.
-const watcher = await open('dark', 'eve');
+const watcher = await page.open('dark', 'eve', chosen);
 await watcher.waitForSelector('.job');
 expect(await watcher.locator('.steer:not([hidden])').count() === 0, 'who may watch alone is shown buttons');
-await checkAccess(watcher, 'dark');
+await page.checkAccess(watcher, 'dark');
 await watcher.screenshot({ path: join(folder, 'console_dark.png') });
-await browser.close();
-for (const fault of faults) console.log(fault);
-process.exit(faults.length > 0 ? 1 : 0);
+await page.end();
