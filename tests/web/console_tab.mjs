@@ -34,6 +34,14 @@ export class Console {
     tab.on('request', (request) => {
       if (!request.url().startsWith(this.url) && !/^(data|blob):/.test(request.url())) this.faults.push(`request: ${request.url()}`);
     });
+    await tab.addInitScript(() => { // how long the last callback before a frame took
+      const ask = window.requestAnimationFrame.bind(window);
+      window.requestAnimationFrame = (callback) => ask((time) => {
+        const begin = performance.now();
+        callback(time);
+        if (!callback.toString().includes('frameTime')) window.frameTime = performance.now() - begin;
+      });
+    });
     await tab.goto(`${this.url}/#${job}`);
     await tab.waitForSelector('.login:not([hidden])', { timeout: 20000 });
     this.expect(await tab.locator('.jobs').isHidden(), 'jobs are shown before a token is given');

@@ -11,8 +11,8 @@ const page = await Console.start(url, program);
 const expect = page.expect.bind(page);
 
 const tab = await page.open('light', 'ann', chosen);
-const job = (n) => tab.locator('.job').nth(n);
-expect(await tab.locator('.job').count() === 3, `${await tab.locator('.job').count()} jobs are shown`);
+const job = (name) => tab.locator('.job', name ? { hasText: name } : {});
+expect(await job().count() === 6, `${await job().count()} jobs are shown`);
 await tab.waitForSelector('table.holes tbody tr', { timeout: 20000 });
 const cells = await tab.locator('svg.map rect').count();
 expect(cells === 12, `the map has ${cells} cells`);
@@ -47,8 +47,83 @@ await tab.keyboard.press('Enter');
 expect((await tab.locator('.detail p').first().innerText()).startsWith('cell'), 'the keyboard chooses no cell');
 expect((await tab.locator('main').innerText()).includes('<img src=x onerror=alert(1)>'), 'a name with markup is not shown as it is');
 
+// A job that failed says where and why, with the lines of the log.
+await job('broken').locator('.name').click();
+await tab.waitForSelector('table.failures tbody tr', { timeout: 20000 });
+const failure = await tab.locator('table.failures tbody tr').first().innerText();
+expect(/1, 0/.test(failure) && /expected/.test(failure), `the failure is not told: ${failure}`);
+expect(/warning attempt failed.*worker=/.test(failure), `the failure is told without the log: ${failure}`);
+await tab.locator('table.failures button').first().click();
+expect(await tab.locator('svg.map rect.failed.chosen').count() === 1, 'a failure does not lead to its cell');
+await tab.locator('.joblog summary').click();
+expect((await tab.locator('.joblog pre').innerText()).includes('job created'), 'the log of the job is not shown');
+await page.checkAccess(tab, 'failure');
+await tab.screenshot({ path: join(folder, 'console_failure.png') });
+
+// Holes are shown once they are planned.
+await job('planned').locator('.name').click();
+await tab.waitForSelector('table.holes tbody tr', { timeout: 20000 });
+await tab.waitForFunction(() => document.querySelector('.jobview h2')?.textContent.length > 0 && document.querySelectorAll('svg.map rect').length === 144);
+expect(await tab.locator('table.holes td', { hasText: /^planned$/ }).count() > 0, 'no hole is shown as planned');
+await tab.locator('table.holes tbody tr').first().click();
+await tab.locator('.detail button', { hasText: 'before and after' }).click();
+await tab.waitForSelector('.detail .card[data-loaded=yes]', { timeout: 20000 });
+expect((await tab.locator('.detail .card p').innerText()).includes('not written yet'), 'a tile that is not written is not told');
+await tab.evaluate(() => scrollTo(0, document.querySelector('.jobview').offsetTop - 10));
+await tab.screenshot({ path: join(folder, 'console_planned.png') });
+
+// A map of 100,000 cells zooms.
+await job('wide').locator('.name').click();
+await tab.waitForSelector('canvas.map', { timeout: 30000 });
+// The median of what a frame of the map takes while it is zoomed.
+const frames = () => tab.locator('canvas.map').evaluate(async (canvas) => {
+  const times = [];
+  for (let k = 0; k < 40; ++k) {
+    canvas.dispatchEvent(new WheelEvent('wheel', { deltaY: k % 8 < 4 ? -1 : 1, clientX: 300, clientY: 300, cancelable: true }));
+    times.push(await new Promise((done) => requestAnimationFrame(() => done(window.frameTime))));
+  }
+  return times.sort((a, b) => a - b)[20];
+});
+await tab.locator('canvas.map').focus();
+const smooth = await frames();
+console.log(`100,000 cells: a frame takes ${smooth.toFixed(1)} ms`);
+expect(smooth < 50, `a frame of a map of 100,000 cells takes ${smooth} ms`);
+const sum = () => tab.locator('canvas.map').evaluate((canvas) => canvas.getContext('2d')
+  .getImageData(0, 0, canvas.width, canvas.height).data.reduce((total, value, i) => (total * 31 + value * (i % 7)) % 1000003, 0));
+const shown = async () => { await tab.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))); return sum(); };
+const sums = [await shown()];
+for (const name of ['zoom in', 'zoom in', 'zoom in', 'zoom in']) {
+  await tab.locator(`.zoom button[aria-label="${name}"]`).click();
+  sums.push(await shown());
+}
+expect(new Set(sums).size === 5, `the map does not zoom: ${sums}`);
+await tab.locator('canvas.map').focus();
+await tab.keyboard.press('ArrowRight');
+await tab.keyboard.press('Enter');
+expect((await tab.locator('.detail p').first().innerText()).startsWith('cell 0, 0'), 'the keyboard chooses no cell of a large map');
+const box = await tab.locator('canvas.map').boundingBox(), before = await shown();
+await tab.mouse.move(box.x + 300, box.y + 200);
+await tab.mouse.down();
+await tab.mouse.move(box.x + 200, box.y + 300, { steps: 5 });
+await tab.mouse.up();
+expect(await shown() !== before, 'dragging does not move the map');
+await page.checkAccess(tab, 'map');
+await tab.evaluate(() => scrollTo(0, document.querySelector('.jobview').offsetTop - 10));
+await tab.screenshot({ path: join(folder, 'console_wide.png') });
+// A map of 1,000,000 cells in its place.
+await tab.route('**/cells', (route) => route.fulfill({ json: {
+  state: 'running', column: 0, row: 0, columns: 1000, rows: 1000, cellSize: [1, 1], hasTiles: true,
+  cells: '.spfFwx-wwww'.repeat(90000).slice(0, 1000000), held: [], failures: [] } }));
+await tab.waitForFunction(() => (document.querySelector('.legend')?.children.length ?? 0) >= 8, null, { timeout: 30000 });
+await tab.locator('canvas.map').focus();
+const million = await frames();
+console.log(`1,000,000 cells: a frame takes ${million.toFixed(1)} ms`);
+expect(million < 50, `a frame of a map of 1,000,000 cells takes ${million} ms`);
+await tab.screenshot({ path: join(folder, 'console_million.png') });
+await tab.unroute('**/cells');
+
 // A large map, and steering.
-const large = tab.locator('.job', { hasText: 'large' });
+const large = job('large');
 await large.locator('.name').click();
 await tab.waitForFunction(() => document.querySelectorAll('svg.map rect').length === 10000, null, { timeout: 30000 });
 expect(await large.locator('.state').innerText() === 'paused', 'the paused job is not shown as paused');
@@ -66,7 +141,7 @@ await tab.screenshot({ path: join(folder, 'console_large.png') });
 page.mayFail = true;
 await ask('kill');
 await tab.waitForFunction(() => document.querySelector('[role=alert]')?.textContent.includes('does not answer'), null, { timeout: 20000 });
-expect(await tab.locator('.job').count() === 3, 'the jobs are gone while the coordinator is down');
+expect(await job().count() === 6, 'the jobs are gone while the coordinator is down');
 await ask('start');
 await tab.waitForFunction(() => document.querySelector('[role=alert]')?.hidden, null, { timeout: 30000 });
 page.mayFail = false;
@@ -74,7 +149,8 @@ expect(await large.locator('.priority').inputValue() === '7', 'the priority was 
 await large.locator('button', { hasText: 'cancel' }).click();
 await large.locator('button', { hasText: 'really' }).click();
 await tab.waitForFunction(() => document.querySelector('.job.chosen .state')?.textContent === 'cancelled', null, { timeout: 20000 });
-await job(2).locator('.name').click();
+await job('lakes').locator('.name').click();
+await tab.waitForSelector(`.jobview[data-job="${chosen}"]`);
 await tab.waitForSelector('table.holes tbody tr', { timeout: 20000 });
 expect(await tab.locator('svg.map rect.written').count() >= 8, 'after a restart cells are not shown as written');
 

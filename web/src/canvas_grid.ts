@@ -69,20 +69,13 @@ export function canvasGrid(first: Squares, look: GridLook): Grid {
     if (scale >= OUTLINED) outline(pen, style, w, h);
     mark(pen, chosen, style.getPropertyValue('--accent'), 3);
   };
-  // Gaps between the cells in sight, and a line around those that a worker has.
+  // Gaps between the cells in sight, and a line around those that are held.
   const outline = (pen: CanvasRenderingContext2D, style: CSSStyleDeclaration, w: number, h: number) => {
-    pen.strokeStyle = style.getPropertyValue('--ground');
-    pen.lineWidth = 1;
-    pen.beginPath();
-    for (let px = -(x % w); px <= canvas.width; px += w) { pen.moveTo(px, 0); pen.lineTo(px, canvas.height); }
-    for (let py = -(y % h); py <= canvas.height; py += h) { pen.moveTo(0, py); pen.lineTo(canvas.width, py); }
-    pen.stroke();
-    for (let row = Math.floor(y / h); row < Math.min(frame.rows, (y + canvas.height) / h); ++row) {
-      for (let column = Math.floor(x / w); column < Math.min(frame.columns, (x + canvas.width) / w); ++column) {
-        const k = (frame.rows - 1 - row) * frame.columns + column;
-        if (shown.stateOf(k).includes(' held')) mark(pen, k, style.getPropertyValue('--ink'), 1.5);
-      }
-    }
+    pen.fillStyle = style.getPropertyValue('--ground');
+    for (let px = -(x % w); px <= canvas.width; px += w) pen.fillRect(px, 0, 1, canvas.height);
+    for (let py = -(y % h); py <= canvas.height; py += h) pen.fillRect(0, py, canvas.width, 1);
+    const ink = style.getPropertyValue('--ink');
+    for (const k of shown.held ?? []) mark(pen, k, ink, 1.5);
   };
   const mark = (pen: CanvasRenderingContext2D, k: number, colour: string, width: number) => {
     if (k < 0) return;

@@ -12,6 +12,7 @@ export interface Squares {
   frame: Frame;
   stateOf: (k: number) => string;  // classes of `.cell`, the first with a colour `--STATE`; '': no cell is there
   textOf: (k: number) => string;
+  held?: Iterable<number>;         // those to be marked on a canvas
 }
 
 export interface GridLook {

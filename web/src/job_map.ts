@@ -13,7 +13,7 @@ const FILLED = 'Fw';
 
 export class JobMap implements Squares {
   readonly frame: Frame;
-  private readonly held: Set<number>;
+  readonly held: Set<number>;
   private readonly counts = new Map<number, [number, number]>(); // holes and those that stay open, by cell
 
   constructor(readonly cells: Cells, private readonly holes: Holes | null) {

@@ -46,9 +46,11 @@ export async function readObj(path: string, bytes: ArrayBuffer): Promise<Tile> {
   group.traverse((object) => {
     if ((object as Mesh).isMesh) surfaces.push(...surfacesOf(object as Mesh, images));
   });
+  const isBeyond = ({ places }: Surface) => places?.some((place) => place < 0 || place > 1) ?? false;
   const texture = async (image: string) => {
+    const repeats = surfaces.some((surface) => surface.image === image && isBeyond(surface));
     try {
-      return await textureOf((await getTile(path, image)).bytes);
+      return await textureOf((await getTile(path, image)).bytes, repeats);
     } catch {
       notes.push(`The image ${image} cannot be shown.`);
       return null;

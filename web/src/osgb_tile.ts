@@ -53,6 +53,6 @@ export async function readOsgb(path: string, bytes: ArrayBuffer, focus: Focus | 
   if (walk.missing > 0) notes.push(`Files of the tile that are missing: ${walk.missing}.`);
   return { surfaces: walk.surfaces, notes, texture: async (image) => {
     const jpeg = walk.images.get(image);
-    return jpeg ? textureOf(jpeg) : null;
+    return jpeg ? textureOf(jpeg, false) : null;
   } };
 }

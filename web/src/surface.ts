@@ -1,5 +1,5 @@
 // Surfaces as they are read from the files of a tile, in the coordinates of the scene.
-import { type BufferGeometry, type Matrix4, SRGBColorSpace, RepeatWrapping, Texture } from 'three';
+import { type BufferGeometry, ClampToEdgeWrapping, type Matrix4, SRGBColorSpace, RepeatWrapping, Texture } from 'three';
 
 // Three corners a triangle, in the order of the file.
 export interface Surface {
@@ -40,8 +40,8 @@ export function surfaceOf(geometry: BufferGeometry, image: string, start = 0, co
 export const MOST_BYTES = 96 << 20; // of files of a tile in one picture
 const MOST_PIXELS = 2048; // along a side: larger images are drawn smaller
 
-// An image file for places whose v points up (OBJ, OSGB).
-export async function textureOf(bytes: ArrayBuffer): Promise<Texture> {
+// An image file for places whose v points up (OBJ, OSGB). `repeats`: beyond its borders it begins anew.
+export async function textureOf(bytes: ArrayBuffer, repeats: boolean): Promise<Texture> {
   const blob = new Blob([bytes]), whole = await createImageBitmap(blob, { imageOrientation: 'flipY' });
   const scale = MOST_PIXELS / Math.max(whole.width, whole.height);
   const bitmap = scale >= 1 ? whole : await createImageBitmap(whole, {
@@ -49,7 +49,7 @@ export async function textureOf(bytes: ArrayBuffer): Promise<Texture> {
   const texture = new Texture(bitmap);
   texture.colorSpace = SRGBColorSpace;
   texture.flipY = false;
-  texture.wrapS = texture.wrapT = RepeatWrapping;
+  texture.wrapS = texture.wrapT = repeats ? RepeatWrapping : ClampToEdgeWrapping;
   texture.anisotropy = 8;
   texture.needsUpdate = true;
   return texture;
