@@ -149,6 +149,17 @@ double SizeOf(const std::string& path) {
   return error ? 0 : static_cast<double>(bytes);
 }
 
+// Where lines go, and the last ones on jobs for the page.
+struct Logs {
+  StreamLog stream;
+  JobLogTail tail{stream};
+};
+
+absl::StatusOr<std::unique_ptr<Logs>> LogFromFlags(const Flags& flags) {
+  TILEMEND_ASSIGN_OR_RETURN(const LogFormat format, LogFormatNamed(flags.Text("log"), stderr));
+  return std::unique_ptr<Logs>(new Logs{{stderr, format, {{"program", kProgram}, {"release", Version()}}}});
+}
+
 struct Audit {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file;
   std::unique_ptr<StreamLog> log;
@@ -173,12 +184,14 @@ absl::StatusOr<std::unique_ptr<Audit>> OpenAudit(const std::string& path, Log& l
 // Whether callers need a name.
 bool IsClosed(const Flags& flags) { return !flags.Text("tokens").empty() || !flags.Text("tls-ca").empty(); }
 
-// Whoever asks for certificates or gives a file of tokens wants to know who calls.
-absl::StatusOr<std::shared_ptr<Gate>> GateFromFlags(const Flags& flags, MetricsRegistry& metrics, Log& audit,
+// Whoever asks for certificates or gives a file of tokens wants to know who calls. Without `audit` the log has its
+// lines.
+absl::StatusOr<std::shared_ptr<Gate>> GateFromFlags(const Flags& flags, MetricsRegistry& metrics, const Audit* audit,
                                                     Log& log) {
-  if (!IsClosed(flags)) return std::make_shared<Gate>(Access::Open(), metrics, audit);
+  Log& lines = audit == nullptr ? log : *audit->log;
+  if (!IsClosed(flags)) return std::make_shared<Gate>(Access::Open(), metrics, lines);
   TILEMEND_ASSIGN_OR_RETURN(Access access, Access::Closed(flags.Text("tokens"), log));
-  return std::make_shared<Gate>(std::move(access), metrics, audit);
+  return std::make_shared<Gate>(std::move(access), metrics, lines);
 }
 
 // Null without --metrics.
@@ -253,9 +266,8 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   ShareHeap();
   PrometheusRegistry metrics;
   ProcessMetrics process(metrics, kProgram, Version());
-  TILEMEND_ASSIGN_OR_RETURN(const LogFormat format, LogFormatNamed(flags.Text("log"), stderr));
-  StreamLog stream(stderr, format, {{"program", kProgram}, {"release", Version()}});
-  JobLogTail log(stream);
+  TILEMEND_ASSIGN_OR_RETURN(const auto logs, LogFromFlags(flags));
+  JobLogTail& log = logs->tail;
   log.Info("starting", {{"build", options.build}});
   options.log = &log;
   TILEMEND_ASSIGN_OR_RETURN(const auto credentials,
@@ -272,7 +284,7 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   TILEMEND_ASSIGN_OR_RETURN(const auto coordinator,
                             Coordinator::Create(std::move(options), std::move(pipelines), metrics));
   TILEMEND_ASSIGN_OR_RETURN(const auto audit, OpenAudit(flags.Text("audit"), log));
-  TILEMEND_ASSIGN_OR_RETURN(const auto gate, GateFromFlags(flags, metrics, audit == nullptr ? static_cast<Log&>(log) : *audit->log, log));
+  TILEMEND_ASSIGN_OR_RETURN(const auto gate, GateFromFlags(flags, metrics, audit.get(), log));
   TILEMEND_ASSIGN_OR_RETURN(
       const auto server, CoordinatorServer::Start(flags.Text("listen"), *coordinator, {credentials->kept().tls, gate}));
   TILEMEND_ASSIGN_OR_RETURN(const auto page, ServePage(flags, credentials->kept().tls, *coordinator, gate, log));

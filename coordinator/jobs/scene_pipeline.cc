@@ -98,12 +98,34 @@ absl::Status WriteScene(const Scene& scene, OutputFolder& output) {
   return WriteTileset(scene, output);
 }
 
-// How long each step took.
-struct StepTimes {
+// How long each step took, and what the page sees of them.
+struct Steps {
   Stopwatch watch;
   std::vector<std::pair<std::string, double>> seconds;
+  std::shared_ptr<SceneSight> sight;
 
-  void End(std::string_view step) { seconds.emplace_back(step, watch.Lap()); }
+  void End(std::string_view step, const SceneWaves& waves) {
+    seconds.emplace_back(step, watch.Lap());
+    if (step == "plan") sight->SetPlan(waves.plan(), waves.options().chosen);
+  }
+};
+
+// How an output ends: it is complete, or the job was cancelled, whichever came first. Thread-safe.
+class OutputEnd {
+ public:
+  // Whether it ends so.
+  bool Cancel() { return Become(End::kCancelled); }
+  bool Complete() { return Become(End::kComplete); }
+  bool is_cancelled() const { return end_.load() == End::kCancelled; }
+
+ private:
+  enum class End { kOpen, kCancelled, kComplete };
+  bool Become(End end) {
+    End open = End::kOpen;
+    return end_.compare_exchange_strong(open, end) || open == end;
+  }
+
+  std::atomic<End> end_{End::kOpen};
 };
 
 // A job with the cells that its output has then.
@@ -139,15 +161,16 @@ class ScenePipeline : public JobPipeline {
         output_(std::move(output)),
         tile_check_(tiles),
         waves_(std::move(scene), OptionsFor(std::move(chosen), std::move(water)),
-               [this](std::string_view step) { EndStep(step); }),
-        tasks_(spec_, waves_, output_ ? &*output_ : nullptr, std::move(scratch)),
-        sight_(std::make_shared<SceneSight>(waves_.scene())) {}
+               [this](std::string_view step) { steps_.End(step, waves_); }),
+        tasks_(spec_, waves_, output_ ? &*output_ : nullptr, std::move(scratch)) {
+    steps_.sight = std::make_shared<SceneSight>(waves_.scene());
+  }
 
   absl::StatusOr<JobFolders> Folders() const override {
     return FoldersOf(waves_.scene(), output_ ? &output_->attempts() : nullptr);
   }
 
-  std::shared_ptr<const SceneSight> Sight() const override { return sight_; }
+  std::shared_ptr<const SceneSight> Sight() const override { return steps_.sight; }
 
   void Resume() override {
     resumed_ = true;
@@ -187,7 +210,7 @@ class ScenePipeline : public JobPipeline {
     return progress;
   }
 
-  bool Cancel() override { return EndAs(End::kCancelled); }
+  bool Cancel() override { return end_.Cancel(); }
 
   void Release() override {
     // Without a report it is not the output that was finished.
@@ -209,26 +232,12 @@ class ScenePipeline : public JobPipeline {
   }
 
  private:
-  void EndStep(std::string_view step) {
-    steps_.End(step);
-    if (step == "plan") sight_->SetPlan(waves_.plan(), waves_.options().chosen);
-  }
-
   WaveOptions OptionsFor(std::set<CellId> chosen, WaterOptions water) {
-    WaveOptions options = WaveOptionsOf(spec_, std::move(water), [this] { return is_cancelled(); });
+    WaveOptions options = WaveOptionsOf(spec_, std::move(water), [this] { return end_.is_cancelled(); });
     options.chosen = std::move(chosen);
     // A complete output stays what it is until all of the new one is known.
     options.write_early = output_ && !output_->has_report();
     return options;
-  }
-
-  enum class End { kOpen, kCancelled, kComplete };
-
-  bool is_cancelled() const { return end_.load() == End::kCancelled; }
-  // Whether the output ends so: it is complete, or the job was cancelled, whichever came first.
-  bool EndAs(End end) {
-    End open = End::kOpen;
-    return end_.compare_exchange_strong(open, end) || open == end;
   }
 
   absl::StatusOr<std::vector<NewTask>> TakeResult(TaskResult result) {
@@ -253,7 +262,7 @@ class ScenePipeline : public JobPipeline {
     while (bytes < kEnoughBytes && tasks.size() < kEnoughTasks && tasks_out_ < kMostTasksOut) {
       std::optional<SceneWork> next = waves_.Next();
       if (!next) break;
-      if (is_cancelled()) return absl::CancelledError("the job was cancelled");
+      if (end_.is_cancelled()) return absl::CancelledError("the job was cancelled");
       if (std::holds_alternative<AssembleWork>(*next) && !std::exchange(writing_, true)) {
         TILEMEND_RETURN_IF_ERROR(output_->CheckRoomFor(tasks_.files().Carried()));
         TILEMEND_RETURN_IF_ERROR(output_->BeginWriting());
@@ -345,7 +354,7 @@ class ScenePipeline : public JobPipeline {
   }
 
   absl::Status FinishOutput(const SceneReportInput& report, JobOutcome& outcome) {
-    TILEMEND_RETURN_IF_ERROR(output_->SeeAll([this] { return is_cancelled(); }));
+    TILEMEND_RETURN_IF_ERROR(output_->SeeAll([this] { return end_.is_cancelled(); }));
     const Scene& scene = waves_.scene();
     for (const auto& unwritten : report.outcome.unwritten) {  // what lies there is of an earlier job
       TILEMEND_RETURN_IF_ERROR(RemoveFile(absl::StrCat(output_->path(), "/", OutputPath(waves_.tile(unwritten.cell)))));
@@ -363,7 +372,7 @@ class ScenePipeline : public JobPipeline {
     outcome.report = folder + "report.json";
     TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(outcome.report, SceneReport(report)));
     TILEMEND_RETURN_IF_ERROR(SyncFolder(output_->path()));
-    if (!EndAs(End::kComplete)) {
+    if (!end_.Complete()) {
       TILEMEND_RETURN_IF_ERROR(output_->BeginWriting());  // it is not complete in the eyes of who cancelled it
       return absl::CancelledError("the job was cancelled");
     }
@@ -376,11 +385,10 @@ class ScenePipeline : public JobPipeline {
   const TileCheck tile_check_;
   int64_t tasks_out_ = 0;  // given out, and their results have not come
   bool writing_ = false;
-  std::atomic<End> end_{End::kOpen};
-  StepTimes steps_;
+  OutputEnd end_;
+  Steps steps_;
   SceneWaves waves_;
   SceneTasks tasks_;
-  const std::shared_ptr<SceneSight> sight_;
   bool resumed_ = false;
   std::optional<TaskReuse> reuse_{std::in_place, std::nullopt};
 };

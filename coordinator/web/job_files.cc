@@ -15,7 +15,6 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_split.h"
 #include "common/grid/delivery_paths.h"
-#include "common/records/output_names.h"
 #include "common/util/error_info.h"
 #include "common/util/folders.h"
 #include "common/util/roots.h"
@@ -30,6 +29,8 @@ namespace tilemend {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr char kSceneFileName[] = "scene.json";
 
 absl::Status NoTile(const std::string& what) {
   return WithErrorInfo(absl::NotFoundError(what), {"TILE_NOT_FOUND", {}});
@@ -82,10 +83,10 @@ absl::StatusOr<std::string> ReadBelow(const std::string& folder, const std::stri
 
 // The scene.json that says where the tiles of a job that is over lie: the scene's own, or that beside the output.
 absl::StatusOr<std::string> SceneFileOf(const JobSpec& spec) {
-  for (const std::string& path : {spec.scene(), absl::StrCat(spec.scene(), "/", kSceneFile)}) {
+  for (const std::string& path : {spec.scene(), absl::StrCat(spec.scene(), "/", kSceneFileName)}) {
     if (absl::EndsWith(path, ".json") && !IsTileset(path) && KindOf(path) == PathKind::kFile) return path;
   }
-  const std::string beside = absl::StrCat(spec.out(), "/", kSceneFile);
+  const std::string beside = absl::StrCat(spec.out(), "/", kSceneFileName);
   if (!spec.out().empty() && KindOf(beside) == PathKind::kFile) return beside;
   return WithErrorInfo(absl::NotFoundError("the scene has no scene.json"), {"SCENE_FILE_NOT_FOUND", {}});
 }
