@@ -8,6 +8,7 @@ namespace tilemend {
 
 std::string_view ConsoleScript();  // web/dist/console.js
 std::string_view ConsoleStyle();   // web/dist/console.css
+std::string_view DracoDecoder();   // web/dist/draco_decoder.js
 
 }  // namespace tilemend
 

@@ -26,6 +26,7 @@ constexpr char kPage[] =
 
 constexpr char kPolicy[] =
     "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self' blob:; img-src 'self' data: blob:; "
+    "worker-src blob:; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 void AddSecurityHeaders(HttpAnswer& answer) {
@@ -101,6 +102,9 @@ HttpAnswer WebServer::Impl::Answer(const HttpRequest& request) {
   }
   if (request.path == "/console.js") {
     return AssetAnswer(request, "text/javascript; charset=utf-8", ConsoleScript(), true);
+  }
+  if (request.path == "/draco_decoder.js") {
+    return AssetAnswer(request, "text/javascript; charset=utf-8", DracoDecoder(), true);
   }
   if (request.path == "/console.css") {
     return AssetAnswer(request, "text/css; charset=utf-8", ConsoleStyle(), true);

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Fills scenes of OBJ with images, of 3D Tiles and of OSGB, and looks at their holes in the coordinator's page.
 
-    console_pictures_test.py FOLDER BIN OSGB_SAMPLE
+    console_pictures_test.py FOLDER BIN OSGB_SAMPLE DRACO_SAMPLE
 
-FOLDER and BIN as in console_page_test.py; OSGB_SAMPLE is the program that writes a made scene of OSGB tiles. Exit code 77
-(skipped, and says so) without npm, its registry or Chromium.
+FOLDER and BIN as in console_page_test.py; the last two are programs that write a made scene of OSGB tiles, and a tileset
+with Draco. Exit code 77 (skipped, and says so) without npm, its registry or Chromium.
 """
 import os
 import shutil
@@ -30,10 +30,11 @@ def main():
     with tempfile.TemporaryDirectory() as temporary:
         cluster = Cluster(temporary, programs)
         scenes = {'obj': textured_scenes.obj_scene(cluster.path('obj')),
-                  'tiles3d': textured_scenes.tileset_scene(cluster.path('tiles3d')), 'osgb': cluster.path('osgb')}
-        done = run(os.path.abspath(sys.argv[3]), scenes['osgb'])
-        if done.returncode:
-            fail(done.stdout)
+                  'tiles3d': textured_scenes.tileset_scene(cluster.path('tiles3d')), 'osgb': cluster.path('osgb'), 'draco': cluster.path('draco')}
+        for name, program in (('osgb', sys.argv[3]), ('draco', sys.argv[4])):
+            done = run(os.path.abspath(program), scenes[name])
+            if done.returncode:
+                fail(done.stdout)
         try:
             cluster.start()
             cluster.start_worker()

@@ -34,10 +34,11 @@ def check_bundle(folder):
     built = run('node', 'build.mjs', 'built', cwd=folder)
     if built.returncode:
         fail(built.stdout)
-    for name in ('report.js', 'report.css', 'console.js', 'console.css'):
+    for name in ('report.js', 'report.css', 'console.js', 'console.css', 'draco_decoder.js'):
         if not filecmp.cmp(os.path.join(folder, 'built', name), os.path.join(WEB, 'dist', name), shallow=False):
             fail(f'web/dist/{name} is not what web/src gives: run `npm ci && npm run build` in web')
-    size = sum(len(gzip.compress(open(os.path.join(WEB, 'dist', f'console.{kind}'), 'rb').read(), 9)) for kind in ('js', 'css'))
+    size = sum(len(gzip.compress(open(os.path.join(WEB, 'dist', name), 'rb').read(), 9))
+               for name in ('console.js', 'console.css', 'draco_decoder.js'))
     if size > 400_000:
         fail(f'the page of the coordinator has {size} bytes compressed, more than 400,000')
 

@@ -1,5 +1,6 @@
 // Tiles that are tilesets of 3D Tiles: the finest models, with their images.
 import { type Material, Matrix4, type Mesh, type Texture, Vector3 } from 'three';
+import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { getTile, getTileIfThere, type TileFile } from './api';
 import { sceneFrame, type Volume } from './earth';
@@ -76,7 +77,11 @@ const mapOf = (material: Material): Texture | null => (material as Material & { 
 // Reads models; images get names of their own.
 class Models {
   readonly textures = new Map<string, Texture>();
-  private readonly loader = new GLTFLoader();
+  // The decoder without WebAssembly, which the page's policy forbids; it is asked for when it is needed.
+  private readonly draco = new DRACOLoader().setDecoderPath('/').setDecoderConfig({ type: 'js' });
+  private readonly loader = new GLTFLoader().setDRACOLoader(this.draco);
+
+  dispose(): void { this.draco.dispose(); }
 
   async read(bytes: ArrayBuffer, { matrix, up }: Model): Promise<Surface[]> {
     const { gltf, centre } = unpack(bytes), { scene } = await this.parse(gltf);
@@ -105,7 +110,7 @@ class Models {
       return await this.loader.parseAsync(gltf, '');
     } catch (error) {
       const why = error instanceof Error ? error.message : String(error);
-      const coding = ['DRACO', 'MESHOPT', 'KTX2'].find((name) => why.toUpperCase().includes(name));
+      const coding = ['MESHOPT', 'KTX2'].find((name) => why.toUpperCase().includes(name));
       throw coding ? new Error(`This page does not draw models that are compressed with ${coding}.`) : error;
     }
   }
@@ -131,6 +136,7 @@ export async function readTileset(path: string, file: TileFile, focus: Focus | n
     bytes += read.bytes.byteLength;
     surfaces.push(...await models.read(read.bytes, model));
   }
+  models.dispose();
   if (left > 0) notes.push(`${left} of ${walk.models.length} models are not shown: choose a hole to see its surroundings.`);
   if (missing > 0) notes.push(`Models that are missing: ${missing}.`);
   return { surfaces, notes, frame: toScene, texture: async (image) => models.textures.get(image) ?? null };
