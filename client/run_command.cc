@@ -77,6 +77,7 @@ absl::StatusOr<std::unique_ptr<Coordinator>> EmbeddedCoordinator(const std::stri
   options.lease = absl::Hours(24);
   // The only worker is this process: what it gets wrong once it gets wrong again.
   options.check_result = SceneResultCheck(TileCheck::kSize);
+  options.attempts_of = AttemptsOfScene;
   options.state.max_refusals = 1;
   return Coordinator::Create(options, ScenePipelineFactory(work_folder), *MetricsRegistry::Null());
 }

@@ -29,7 +29,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::pair<std::string_view, const char*> kStages[] = {
     {"measure", "measure levels"}, {"survey", "look at the tiles"}, {"ground", "tell ground from objects"},
     {"plan", "find the holes"},    {"sample", "fit the surface"},   {"smooth", "smooth the seams"},
-    {"fill", "fill the holes"},    {"assemble", "write the tiles"},
+    {"fill", "fill the holes"},    {"assemble", "write the tiles"}, {"verify", "verify the tiles"},
 };
 
 std::string Counts(const char* name, int64_t done, int64_t all) {

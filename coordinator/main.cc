@@ -75,9 +75,11 @@ std::vector<FlagSpec> CoordinatorFlags() {
       {"max-jobs", "N", "jobs at once, 1 to 10000", "64"},
       {"keep-jobs", "DAYS", "a job that is over is forgotten after so long, 0.01 to 10000", "30"},
       {"check-tiles", "size|digest|content",
-       "what of tiles workers are held to: the sizes of files, their digests, or "
-       "every byte of what they must be",
+       "what of tiles workers are held to: the sizes of files, their digests, which other workers verify, or every "
+       "byte of what they must be",
        "digest"},
+      {"verify", "PERCENT", "share of the files whose digests other workers verify, 0.01 to 100", "100"},
+      {"recompute", "PERCENT", "share of the tasks that other workers compute again, 0 to 100", "2"},
       DescribeFlag(),
       {"version", "", "show the release", ""},
       {"help", "", "show this", "", 'h'},
@@ -89,11 +91,21 @@ std::vector<FlagSpec> CoordinatorFlags() {
   return AllAsSettings(std::move(flags));
 }
 
-absl::StatusOr<TileCheck> TileCheckOf(const std::string& name) {
-  if (name == "size") return TileCheck::kSize;
-  if (name == "digest") return TileCheck::kDigest;
-  if (name == "content") return TileCheck::kContent;
-  return absl::InvalidArgumentError(absl::StrCat("--check-tiles '", name, "': expected size, digest or content"));
+// What of tiles workers are held to.
+struct TileRules {
+  TileCheck check = TileCheck::kSize;  // by the coordinator
+  VerifiedShares verified = {};        // by other workers
+};
+
+absl::StatusOr<TileRules> TileRulesFromFlags(const Flags& flags) {
+  const std::string name = flags.Text("check-tiles");
+  if (name == "size") return TileRules{};
+  if (name != "digest" && name != "content") {
+    return absl::InvalidArgumentError(absl::StrCat("--check-tiles '", name, "': expected size, digest or content"));
+  }
+  TILEMEND_ASSIGN_OR_RETURN(const double files, flags.Number("verify", 0.01, 100));
+  TILEMEND_ASSIGN_OR_RETURN(const double results, flags.Number("recompute", 0, 100));
+  return TileRules{name == "content" ? TileCheck::kContent : TileCheck::kSize, {files / 100, results / 100}};
 }
 
 absl::StatusOr<CoordinatorOptions> OptionsFromFlags(const Flags& flags) {
@@ -111,8 +123,9 @@ absl::StatusOr<CoordinatorOptions> OptionsFromFlags(const Flags& flags) {
   options.max_running_jobs = static_cast<size_t>(max_jobs);
   TILEMEND_ASSIGN_OR_RETURN(const double keep_jobs, flags.Number("keep-jobs", 0.01, 10000));
   options.keep_jobs = absl::Hours(24 * keep_jobs);
-  TILEMEND_ASSIGN_OR_RETURN(const TileCheck tiles, TileCheckOf(flags.Text("check-tiles")));
-  options.check_result = SceneResultCheck(tiles);
+  TILEMEND_ASSIGN_OR_RETURN(const TileRules tiles, TileRulesFromFlags(flags));
+  options.check_result = SceneResultCheck(tiles.check);
+  options.attempts_of = AttemptsOfScene;
   options.build = BuildId();
   TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("listen")));
   TILEMEND_RETURN_IF_ERROR(CheckServerSecurity(SecurityFromFlags(flags), flags.Text("listen")));
@@ -249,8 +262,8 @@ absl::StatusOr<OpenJournal> JournalFromFlags(const Flags& flags, const std::stri
 }
 
 absl::StatusOr<PipelineFactory> PipelinesFromFlags(const Flags& flags, const std::string& work_folder) {
-  TILEMEND_ASSIGN_OR_RETURN(const TileCheck tiles, TileCheckOf(flags.Text("check-tiles")));
-  return ScenePipelineFactory(work_folder, tiles);
+  TILEMEND_ASSIGN_OR_RETURN(const TileRules tiles, TileRulesFromFlags(flags));
+  return ScenePipelineFactory(work_folder, tiles.verified);
 }
 
 std::string TextOf(const Demand& demand) { return absl::StrCat(demand.jobs, " jobs, ", demand.tasks, " tasks"); }

@@ -74,7 +74,7 @@ RULES = {
 
     'common/options': rule(['common/util', 'common/grid', 'common/records'], ['absl', 'protobuf']),
 
-    'common/rpc': rule(['common/util', 'common/metrics', 'common/mesh', 'common/records', 'common/codec', 'common/assemble'], ['absl', 'grpc', 'openssl', 'protobuf']),
+    'common/rpc': rule(['common/util', 'common/metrics', 'common/mesh', 'common/records', 'common/codec', 'common/assemble', 'common/store'], ['absl', 'grpc', 'openssl', 'protobuf']),
 
     'worker/ground': rule(['common/mesh', 'common/records'], ['eigen'], pure=True),
 

@@ -17,15 +17,16 @@ enum class Stage {
   kSampleLayer = 6,
   kFill = 3,
   kSmoothSeam = 7,
-  kAssemble = 4
+  kAssemble = 4,
+  kVerify = 10
 };
 
-inline constexpr std::array<Stage, 8> kAllStages = {Stage::kMeasure,       Stage::kSurvey,      Stage::kGround,
+inline constexpr std::array<Stage, 9> kAllStages = {Stage::kMeasure,       Stage::kSurvey,      Stage::kGround,
                                                     Stage::kSampleCluster, Stage::kSampleLayer, Stage::kFill,
-                                                    Stage::kSmoothSeam,    Stage::kAssemble};
+                                                    Stage::kSmoothSeam,    Stage::kAssemble,    Stage::kVerify};
 
-// "measure", "survey", "ground", "sample_cluster", "sample_layer", "fill", "smooth_seam" or "assemble"; "unknown" for a
-// value that names none.
+// "measure", "survey", "ground", "sample_cluster", "sample_layer", "fill", "smooth_seam", "assemble" or "verify";
+// "unknown" for a value that names none.
 constexpr std::string_view StageName(Stage stage) {
   switch (stage) {
     case Stage::kMeasure:
@@ -44,6 +45,8 @@ constexpr std::string_view StageName(Stage stage) {
       return "smooth_seam";
     case Stage::kAssemble:
       return "assemble";
+    case Stage::kVerify:
+      return "verify";
   }
   return "unknown";
 }

@@ -11,6 +11,7 @@
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "coordinator/api/task_ref.h"
+#include "coordinator/store/attempt_folder.h"
 
 namespace tilemend {
 namespace {
@@ -64,6 +65,9 @@ ResultIntake::Report ResultIntake::PrepareReport(const std::string& worker, cons
   report.held = lease.has_value();
   if (finished.has_output()) {
     report.event = TaskCompleted{key, worker, token, DigestOf(finished.output()), {}};
+    if (cluster_.options.attempts_of && IsInline(finished.output())) {
+      report.files = cluster_.options.attempts_of(report.stage, finished.output().content());
+    }
     if (lease) PrepareOutput(worker, *lease, finished.output(), report);
     return report;
   }
@@ -114,15 +118,29 @@ absl::Status ResultIntake::CheckOutput(const Holding& lease, const v1::BlobRef& 
   return cluster_.options.check_result(lease.stage, input, bytes);
 }
 
-void ResultIntake::Take(const std::string& worker, std::vector<Report> reports, v1::SyncResponse& response) {
+std::vector<ResultIntake::Discarded> ResultIntake::Take(const std::string& worker, std::vector<Report> reports,
+                                                        v1::SyncResponse& response) {
+  std::vector<Discarded> discarded;
   for (Report& report : reports) {
     const int64_t bytes = report.content.has_value() ? static_cast<int64_t>(report.content->size()) : 0;
-    if (TakeReport(worker, report)) {
+    const bool is_taken = TakeReport(worker, report);
+    if (is_taken) {
       cluster_.metrics.BlobReceived(bytes);
     } else {
       cluster_.metrics.RefusedLate(report.stage);
     }
+    const JobFolders* folders = cluster_.trust.FoldersOf(report.ref.job());
+    if ((!is_taken || !report.refusal.empty()) && folders != nullptr && !report.files.empty()) {
+      discarded.push_back({folders->attempts, std::move(report.files)});
+    }
     *response.add_acknowledged() = std::move(report.ref);
+  }
+  return discarded;
+}
+
+void ResultIntake::Remove(const std::vector<Discarded>& discarded) {
+  for (const Discarded& of_attempt : discarded) {
+    for (const std::string& file : of_attempt.files) AttemptFolder::Discard(of_attempt.attempts, file);
   }
 }
 

@@ -26,6 +26,12 @@ class ResultIntake {
     std::optional<std::string> content;
     std::string refusal = {};  // why the result is not taken, for people; else empty
     bool held = false;         // the worker held the task when its report came; else nobody looked at the result
+    std::vector<std::string> files = {};  // that its attempt wrote
+  };
+  // Files of an attempt whose result was not accepted.
+  struct Discarded {
+    std::string attempts;  // their folder
+    std::vector<std::string> files;
   };
 
   // Both must outlive this.
@@ -34,7 +40,9 @@ class ResultIntake {
   // Checks the results that a call brings. Without the lock: it reads files.
   std::vector<Report> Prepare(const v1::SyncRequest& request);
   // Takes what was prepared, and acknowledges it in `response`. Needs the lock.
-  void Take(const std::string& worker, std::vector<Report> reports, v1::SyncResponse& response);
+  std::vector<Discarded> Take(const std::string& worker, std::vector<Report> reports, v1::SyncResponse& response);
+  // Deletes them. Without the lock: large files take long.
+  static void Remove(const std::vector<Discarded>& discarded);
 
  private:
   // What a worker holds.

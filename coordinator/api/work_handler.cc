@@ -87,6 +87,10 @@ v1::Task TaskMessage(const TaskKey& key, const Task& task, const Lease& lease) {
   return message;
 }
 
+bool IsSameCaller(const WorkerCaller& known, const v1::SyncRequest& request, const std::string& identity) {
+  return known.secret == request.secret() && known.identity == identity;
+}
+
 using InputFolders = std::map<std::string, std::shared_ptr<BlobFolder>>;  // by job
 
 // Needs the lock.
@@ -125,7 +129,7 @@ absl::StatusOr<v1::SyncResponse> WorkHandler::Sync(const v1::SyncRequest& reques
     return other;
   }
   TILEMEND_RETURN_IF_ERROR(CheckSync(request));
-  std::vector<ResultIntake::Report> reports = results_.Prepare(request);
+  std::vector<ResultIntake::Report> reports = LookAtResults(request, identity);
   v1::SyncResponse response;
   std::map<std::string, std::shared_ptr<BlobFolder>> blobs;
   {
@@ -143,8 +147,7 @@ absl::StatusOr<v1::SyncResponse> WorkHandler::Sync(const v1::SyncRequest& reques
       cluster_.events.WorkerCame(*cluster_.state.FindWorker(request.worker()), request.release(), identity);
       cluster_.ShowMetrics();
     }
-    results_.Take(request.worker(), std::move(reports), response);
-    RenewHeld(request);
+    TakeResults(request, std::move(reports), lock, response);
     if (const std::vector<std::string> unseen = TakeSeen(request); !unseen.empty()) {
       lock.unlock();
       FailJobsThatAreGone(unseen);
@@ -158,10 +161,42 @@ absl::StatusOr<v1::SyncResponse> WorkHandler::Sync(const v1::SyncRequest& reques
   return response;
 }
 
+std::vector<ResultIntake::Report> WorkHandler::LookAtResults(const v1::SyncRequest& request,
+                                                             const std::string& identity) {
+  if (request.finished().empty()) return {};
+  const auto count = [&](int change) {
+    ClusterLock lock(cluster_.mutex);
+    const auto caller = cluster_.callers.find(request.worker());
+    if (caller == cluster_.callers.end() || !IsSameCaller(caller->second, request, identity)) return;
+    caller->second.calls = std::max(0, caller->second.calls + change);
+    // Its silence begins when it has been looked at.
+    const WorkerRecord* worker = cluster_.state.FindWorker(request.worker());
+    if (worker == nullptr) return;
+    updates_
+        .Apply(WorkerSeen{worker->id, worker->threads, worker->draining, cluster_.options.clock(), worker->prefetch})
+        .IgnoreError();
+    RenewHeld(request);
+  };
+  count(1);
+  std::vector<ResultIntake::Report> reports = results_.Prepare(request);
+  count(-1);
+  return reports;
+}
+
+void WorkHandler::TakeResults(const v1::SyncRequest& request, std::vector<ResultIntake::Report> reports,
+                              ClusterLock& lock, v1::SyncResponse& response) {
+  const std::vector<ResultIntake::Discarded> discarded = results_.Take(request.worker(), std::move(reports), response);
+  RenewHeld(request);
+  if (discarded.empty()) return;
+  lock.unlock();
+  ResultIntake::Remove(discarded);
+  lock.lock();
+}
+
 absl::Status WorkHandler::CheckSecret(const v1::SyncRequest& request, const std::string& identity) {
   const WorkerCaller caller{0, request.secret(), request.release(), identity, cluster_.options.clock()};
   const WorkerCaller& known = cluster_.callers.try_emplace(request.worker(), caller).first->second;
-  if (known.secret == request.secret() && known.identity == identity) return absl::OkStatus();
+  if (IsSameCaller(known, request, identity)) return absl::OkStatus();
   return WithErrorInfo(
       absl::PermissionDeniedError(absl::StrCat("another process is worker ", Printable(request.worker()))),
       {"WORKER_SECRET", {}});
@@ -209,6 +244,10 @@ void WorkHandler::RenewHeld(const v1::SyncRequest& request) {
     const uint64_t token = ref.attempt_token();
     // Fails if the lease was lost; TellState then leaves the task out.
     updates_.Apply(LeaseRenewed{KeyOf(ref), request.worker(), token, deadline, begun.contains(token)}).IgnoreError();
+  }
+  for (const v1::FinishedTask& finished : request.finished()) {  // whose results are not taken yet
+    const v1::TaskRef& ref = finished.ref();
+    updates_.Apply(LeaseRenewed{KeyOf(ref), request.worker(), ref.attempt_token(), deadline, true}).IgnoreError();
   }
 }
 

@@ -29,7 +29,12 @@ class WorkHandler {
                                         const std::string& identity = "");
 
  private:
-  // All but FailJobsThatAreGone with the lock held.
+  // All but the first and FailJobsThatAreGone with the lock held.
+  // However long it takes, the worker does not count as silent meanwhile.
+  std::vector<ResultIntake::Report> LookAtResults(const v1::SyncRequest& request, const std::string& identity);
+  // Enters them in the state. Gives the lock up while it deletes files of results that are not accepted.
+  void TakeResults(const v1::SyncRequest& request, std::vector<ResultIntake::Report> reports, ClusterLock& lock,
+                   v1::SyncResponse& response);
   // Whether another process has called itself so.
   absl::Status CheckSecret(const v1::SyncRequest& request, const std::string& identity);
   // Gives the jobs whose folders the worker does not see.

@@ -11,6 +11,7 @@
 #include "common/rpc/level_payloads.h"
 #include "common/rpc/tile_patch.h"
 #include "common/store/digest.h"
+#include "common/store/file_receipt.h"
 #include "common/store/fingerprint.h"
 #include "common/store/tile_stamp.h"
 #include "common/util/file_pack.h"
@@ -116,13 +117,8 @@ absl::Status CheckTree(const v1::AssembleInput& input, const v1::AssembleOutput&
     for (const PackedFile& file : files) expected[FileBesideTile(input.tile().path(), file.name)] = file.bytes;
   }
   for (const v1::WrittenFile& file : output.files()) {
-    if (!IsOfTree(input, file.path())) continue;
-    const std::string written = absl::StrCat(input.attempts(), "/", file.attempt());
-    if (reading.how == TileCheck::kContent) {
-      TILEMEND_RETURN_IF_ERROR(CheckWritten(input, file, expected[file.path()]));
-    } else if (reading.how == TileCheck::kDigest && !file.digest().empty()) {
-      TILEMEND_RETURN_IF_ERROR(CheckFile(written, file.digest(), Wrong("a tile that is not as it was written")));
-    }
+    if (!IsOfTree(input, file.path()) || reading.how != TileCheck::kContent) continue;
+    TILEMEND_RETURN_IF_ERROR(CheckWritten(input, file, expected[file.path()]));
   }
   return absl::OkStatus();
 }
@@ -139,10 +135,7 @@ absl::Status CheckTile(const v1::AssembleInput& input, const v1::AssembleOutput&
       return Wrong("a tile that is not the original with its patches");
     if (!patched && tile.digest() != input.tile().digest()) return Wrong("a tile that is not the original");
   }
-  if (reading.how == TileCheck::kSize) return absl::OkStatus();
-  if (reading.how == TileCheck::kContent) return CheckContent(input, output, reading);
-  return CheckFile(absl::StrCat(input.attempts(), "/", tile.attempt()), tile.digest(),
-                   Wrong("a tile that is not as it was written"));
+  return reading.how == TileCheck::kContent ? CheckContent(input, output, reading) : absl::OkStatus();
 }
 
 // That nothing had to be written.
@@ -161,10 +154,17 @@ absl::Status CheckSameFiles(const v1::AssembleInput& input, const v1::AssembleOu
     const std::string path = absl::StrCat(input.output_root(), "/", file.path());
     TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOfFile(path));
     if (bytes != file.bytes()) return Wrong("a file that is not as it was written");
-    if (how == TileCheck::kSize || file.digest().empty()) continue;
+    if (how != TileCheck::kContent || file.digest().empty()) continue;
     TILEMEND_RETURN_IF_ERROR(CheckFile(path, file.digest(), Wrong("a file that is not as it was written")));
   }
   return absl::OkStatus();
+}
+
+// Whether the file is a hard link of the scene's, which needs no digest.
+bool IsLinked(const v1::AssembleInput& input, const v1::WrittenFile& file) {
+  const auto original = ReceiptOf(absl::StrCat(input.tile().root(), "/", file.path()));
+  const auto written = ReceiptOf(absl::StrCat(input.attempts(), "/", file.attempt()));
+  return original.ok() && written.ok() && *original == *written;
 }
 
 }  // namespace
@@ -177,6 +177,7 @@ absl::Status CheckAssembleResult(const std::string& input_bytes, const v1::Assem
   for (const v1::WrittenFile& file : output.files()) {
     const absl::Status there = AttemptFolder::Check(input.attempts(), {file.attempt(), file.path(), file.bytes()});
     TILEMEND_RETURN_IF_ERROR(absl::IsInvalidArgument(there) ? AsWrong(there) : there);
+    if (file.digest().empty() && !IsLinked(input, file)) return Wrong("a file without a digest");
   }
   if (!input.output_format().empty()) return CheckDelivery(input, output, reading.how);
   const bool is_tree = IsTileTree(input.tile().path());

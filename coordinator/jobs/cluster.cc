@@ -31,6 +31,14 @@ MayWork Cluster::MayWorkNow() const {
   return [this](const std::string& worker, const std::string& job) { return trust.MayWorkOn(worker, job); };
 }
 
+std::set<std::string> WorkersBeingChecked(const Cluster& cluster) {
+  std::set<std::string> workers;
+  for (const auto& [worker, caller] : cluster.callers) {
+    if (caller.calls > 0) workers.insert(worker);
+  }
+  return workers;
+}
+
 void Cluster::ForgetWorker(const std::string& worker) {
   callers.erase(worker);
   trust.RemoveWorker(worker);

@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 
 #include "absl/status/status.h"
@@ -55,6 +56,7 @@ struct WorkerCaller {
   std::string release;
   std::string identity;
   absl::Time first_seen;
+  int calls = 0;  // whose results are being checked
 };
 
 using ClusterLock = std::unique_lock<std::mutex>;
@@ -90,6 +92,9 @@ struct Cluster {
   std::map<std::string, WorkerCaller> callers;  // workers, by id
   WorkerTrust trust;
 };
+
+// Workers that have reported results which are being checked. They do not count as silent.
+std::set<std::string> WorkersBeingChecked(const Cluster& cluster);
 
 // What `make` returns under the lock, once all that it was made from is durable. Without the lock.
 template <class Make>

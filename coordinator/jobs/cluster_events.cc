@@ -36,6 +36,7 @@ double ShareDone(std::string_view phase, int64_t cells, int64_t cells_done, int6
   if (phase == "survey" || phase == "plan")
     to_come = 2 * cells + (are_held_back ? std::max<int64_t>(0, cells - tasks) : 0);
   if (phase == "assemble") to_come = are_held_back ? std::max<int64_t>(0, cells - cells_done - out) : 0;
+  if (phase == kVerifyPhase) to_come = 0;
   return std::min(1.0, static_cast<double>(tasks_done) / static_cast<double>(std::max<int64_t>(1, tasks + to_come)));
 }
 

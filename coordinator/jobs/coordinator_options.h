@@ -30,6 +30,8 @@ struct CoordinatorOptions {
   std::function<absl::Time()> clock;
   // Looks at every result before it is taken; none: all are.
   ResultCheck check_result = {};
+  // The files to delete when a result is not accepted. Without it they stay until the job ends.
+  AttemptsOf attempts_of = {};
   // BuildId(), or whatever else tells results that fit together from others: workers of another build are refused, and
   // what the journal knows of another build is not used.
   std::string build = {};

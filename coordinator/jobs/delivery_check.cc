@@ -32,7 +32,7 @@ absl::Status CheckDelivery(const v1::AssembleInput& input, const v1::AssembleOut
       return Wrong("a file that is not asked for");
     }
     if (!IsFileDigest(file.digest())) return Wrong("a digest that is none");
-    if (how == TileCheck::kSize) continue;
+    if (how != TileCheck::kContent) continue;
     TILEMEND_RETURN_IF_ERROR(CheckFile(absl::StrCat(input.attempts(), "/", file.attempt()), file.digest(),
                                        Wrong("a file that is not as it was written")));
   }

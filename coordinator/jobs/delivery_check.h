@@ -16,8 +16,8 @@ namespace tilemend {
 bool IsOfDelivery(std::string_view output, std::string_view path);
 
 // The first file is the one that was asked for, all others belong to it, and each is there once with the digest that
-// the worker says. What is in them is not computed here: with `how` = kSize not even read. kDataLoss or kUnavailable as
-// CheckAssembleResult. Precondition: the files are there with their sizes.
+// the worker says. What is in them is not computed here: with `how` = kContent alone it is read. kDataLoss or
+// kUnavailable as CheckAssembleResult. Precondition: the files are there with their sizes.
 absl::Status CheckDelivery(const v1::AssembleInput& input, const v1::AssembleOutput& output, TileCheck how);
 
 }  // namespace tilemend

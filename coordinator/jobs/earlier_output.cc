@@ -5,6 +5,7 @@
 #include "common/store/digest.h"
 #include "common/util/error_info.h"
 #include "common/util/files.h"
+#include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "coordinator/report/report_key.h"
 
@@ -23,6 +24,21 @@ absl::StatusOr<bool> MayReplace(const JobSpec& spec, const std::string& key) {
           ": the output there is of another scene or other options, so decisions do not apply to it; give those that "
           "its report.json names, choose another --out, or give --overwrite to do all of it again")),
       {"OUTPUT_EXISTS", {}});
+}
+
+absl::StatusOr<JobOnOutput> OnOutput(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest,
+                                     const Scene& scene) {
+  JobOnOutput job{spec, IdentityOf(spec), "", false};
+  AddFileDigest("water", water.digest, job.identity);
+  AddFileDigest("clear", water.clear_digest, job.identity);
+  AddFileDigest("area", area_digest, job.identity);
+  TILEMEND_ASSIGN_OR_RETURN(const OutputCells cells, CellsWithOutput(spec, job.identity, scene));
+  job.adds = cells.adds;
+  job.spec.set_cells(cells.cells);
+  job.identity["cells"] = cells.cells;
+  job.key = OutputKey(JobKey(job.identity));
+  AddFileDigest("decisions", water.decisions_digest, job.identity);
+  return job;
 }
 
 }  // namespace tilemend

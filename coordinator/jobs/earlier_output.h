@@ -1,4 +1,4 @@
-// The complete output of an earlier job, onto which a reviewer's decisions are applied.
+// The output of an earlier job, to which cells are added, or a reviewer's decisions applied.
 #ifndef TILEMEND_COORDINATOR_JOBS_EARLIER_OUTPUT_H_
 #define TILEMEND_COORDINATOR_JOBS_EARLIER_OUTPUT_H_
 
@@ -6,6 +6,8 @@
 
 #include "absl/status/statusor.h"
 #include "coordinator/jobs/job_pipeline.h"
+#include "coordinator/jobs/output_cells.h"
+#include "coordinator/report/water_choice.h"
 
 namespace tilemend {
 
@@ -16,6 +18,18 @@ std::string OutputKey(const std::string& scene_key);
 // output is of the same scene and options, as its report's `key` says. kAlreadyExists (OUTPUT_EXISTS) for decisions on
 // the output of another scene or other options. Cost: reads the report if there are decisions.
 absl::StatusOr<bool> MayReplace(const JobSpec& spec, const std::string& key);
+
+// A job with the cells that its output has then.
+struct JobOnOutput {
+  JobSpec spec;
+  JobIdentity identity;
+  std::string key;  // of its report
+  bool adds = false;
+};
+
+// `water` and `area_digest` tell of the files that the spec names. Errors of CellsWithOutput.
+absl::StatusOr<JobOnOutput> OnOutput(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest,
+                                     const Scene& scene);
 
 }  // namespace tilemend
 

@@ -93,13 +93,14 @@ absl::Status CheckCarried(const v1::AssembleInput& input, const v1::WrittenFile&
   const std::string original = absl::StrCat(input.tile().root(), "/", file.path());
   TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, SizeOfFile(original));
   bool same = file.bytes() == bytes;
-  if (same && how != TileCheck::kSize) {
+  if (same && how == TileCheck::kContent) {
     const auto theirs = DigestOfFile(absl::StrCat(input.attempts(), "/", file.attempt())), own = DigestOfFile(original);
     if (!theirs.ok() || !own.ok()) return absl::UnavailableError("a file beside the tile cannot be read");
     same = *theirs == *own;
   }
-  if (same) return absl::OkStatus();
   const std::string digest = SurveyedDigest(input, file.path());
+  same = same && (digest.empty() || file.digest().empty() || file.digest() == digest);
+  if (same) return absl::OkStatus();
   const bool changed = !digest.empty() && !FileHasDigest(original, digest).value_or(false);
   return changed ? Changed(original) : Wrong("a file that is not the original");
 }
@@ -108,7 +109,7 @@ absl::Status CheckCarried(const v1::AssembleInput& input, const v1::WrittenFile&
 absl::Status CheckTexture(const v1::AssembleInput& input, const v1::WrittenFile& file, TileCheck how) {
   if (!HasPatch(input)) return Wrong("an image without a patch");
   if (!IsFileDigest(file.digest())) return Wrong("a digest that is none");
-  if (how == TileCheck::kSize) return absl::OkStatus();
+  if (how != TileCheck::kContent) return absl::OkStatus();
   return CheckFile(absl::StrCat(input.attempts(), "/", file.attempt()), file.digest(),
                    Wrong("an image that is not as it was written"));
 }

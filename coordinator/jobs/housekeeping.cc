@@ -31,7 +31,10 @@ void Housekeeping::Tick() {
   std::vector<std::unique_ptr<JobRunner>> ended;
   ClusterLock lock(cluster_.mutex);
   const absl::Time now = cluster_.options.clock();
-  for (const Event& event : may_lose_ ? Overdue(cluster_.state, now, cluster_.options.lease) : std::vector<Event>()) {
+  const std::vector<Event> overdue =
+      may_lose_ ? Overdue(cluster_.state, now, cluster_.options.lease, WorkersBeingChecked(cluster_))
+                : std::vector<Event>();
+  for (const Event& event : overdue) {
     if (const auto* lost = std::get_if<WorkerLost>(&event)) {
       cluster_.events.WorkerLost(*cluster_.state.FindWorker(lost->worker), now);
       cluster_.ForgetWorker(lost->worker);

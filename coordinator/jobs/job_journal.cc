@@ -39,7 +39,7 @@ void JobJournal::PutJob(const Job& job, bool released, std::optional<v1::Job> me
 
 void JobJournal::PutResult(const SettledTask& task, const std::optional<std::string>& content) const {
   if (!cluster_.journal->is_durable()) return;
-  ResultRecord result{task.state, task.output, content, "", {}};
+  ResultRecord result{task.state, task.output, content, "", {}, task.worker};
   if (task.state != TaskState::kCommitted) result.error = StatusToProto(task.error).SerializeAsString();
   cluster_.journal->PutResult(cluster_.state.FindJob(task.key.job)->number,
                               NameOf(cluster_, task.cell, task.stage, task.input), std::move(result));
@@ -52,6 +52,10 @@ void JobJournal::PutLoss(const StruckTask& task) const {
   result.lost_workers = task.lost_workers;
   cluster_.journal->PutResult(cluster_.state.FindJob(task.key.job)->number,
                               NameOf(cluster_, task.cell, task.stage, task.input), std::move(result));
+}
+
+void JobJournal::DropResults(const Revoked& revoked) const {
+  cluster_.journal->DropResults(cluster_.state.FindJob(revoked.job)->number, revoked.worker);
 }
 
 absl::StatusOr<TaskContents> JobJournal::Recall(const std::string& job, std::vector<TaskSpec>& tasks) const {
@@ -74,7 +78,7 @@ absl::StatusOr<TaskContents> JobJournal::Recall(const std::string& job, std::vec
     }
     const bool is_blob = found->state == TaskState::kCommitted && !found->content;
     if (is_blob && !blobs->Read(found->output).ok()) continue;  // it was lost or damaged: the task is done again
-    task.known = KnownResult{found->state, found->output, absl::OkStatus()};
+    task.known = KnownResult{found->state, found->output, absl::OkStatus(), found->worker};
     if (found->state != TaskState::kCommitted) task.known->error = ErrorOf(found->error);
     if (found->content) bytes += found->content->size();
     if (found->content && bytes > kMostKnownBytes && blobs->Put(*found->content).ok()) found->content.reset();

@@ -30,6 +30,9 @@ class JobJournal {
   // A worker was lost with the task.
   void PutLoss(const StruckTask& task) const;
 
+  // What a worker gave in a job is to be done again.
+  void DropResults(const Revoked& revoked) const;
+
   // Adds to `tasks` what earlier processes know of them. Returns the contents of the known ones in order. Takes the
   // lock. kDataLoss if the journal is damaged.
   absl::StatusOr<TaskContents> Recall(const std::string& job, std::vector<TaskSpec>& tasks) const;

@@ -14,6 +14,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -35,11 +36,20 @@ using JobSpec = v1::JobSpec;
 
 // The phase of a job that runs again through what it did before its coordinator ended.
 inline constexpr char kResumePhase[] = "resume";
+// All tiles are written, and files wait for their verification.
+inline constexpr char kVerifyPhase[] = "verify";
+
+// Why a job runs again through what it did before.
+enum class Resumption {
+  kRestart,     // of the coordinator
+  kRevocation,  // of the results of a worker: what the job has kept for later jobs may be wrong
+};
 
 struct NewTask {
   CellId cell;
   Stage stage = Stage::kSurvey;
-  std::string input;  // bytes
+  std::string input;                    // bytes
+  std::vector<std::string> avoid = {};  // workers that get the task only if no other may have it
 };
 
 struct TaskResult {
@@ -48,6 +58,15 @@ struct TaskResult {
   // Bytes, or why there are none: the error that the stage returned, or kAborted (QUARANTINED) for a task that was with
   // too many workers that died. Machine failures are retried before and do not come here.
   absl::StatusOr<std::string> output;
+  std::string worker = {};  // who gave the output; "" if not known
+  std::string input = {};   // digest of the bytes that the task was given (Sha256Hex)
+  bool known = false;       // from the journal: given to an earlier pipeline of the job
+};
+
+// A worker of which an accepted result turned out to be wrong.
+struct CaughtWorker {
+  std::string worker;
+  std::string reason;  // for people
 };
 
 // A pipeline of very many tasks holds others back while so many are out and not done: each takes a record in the
@@ -77,8 +96,8 @@ class JobPipeline {
   // What may be shown of the scene, from before Start to long after the end. Called once, after Folders. Null: nothing.
   virtual std::shared_ptr<const SceneSight> Sight() const { return nullptr; }
 
-  // The job began in an earlier process of the coordinator. Called before Start, at most once.
-  virtual void Resume() {}
+  // The job began with another pipeline, perhaps in an earlier process. Called before Start, at most once.
+  virtual void Resume(Resumption /*why*/) {}
 
   // The first tasks. Called once, then.
   virtual absl::StatusOr<std::vector<NewTask>> Start() = 0;
@@ -86,6 +105,10 @@ class JobPipeline {
   // Takes one result, once for every task, and gives the tasks that it makes possible, in the order in which they
   // should run. An error here, in Start or in Finish fails the job with that status; a failed task alone does not.
   virtual absl::StatusOr<std::vector<NewTask>> OnTaskDone(TaskResult result) = 0;
+
+  // The worker that the last OnTaskDone caught. The pipeline ends then, and the job begins again with another one, as
+  // after a restart of the coordinator: the results of other workers are reused, those of this one are computed again.
+  virtual std::optional<CaughtWorker> Caught() const { return std::nullopt; }
 
   // True when nothing is left but Finish. Must become true when all tasks that were given out are done: a job that is
   // not done and has no task left fails with kInternal.

@@ -4,6 +4,7 @@
 #include <exception>
 #include <utility>
 
+#include "absl/strings/cord.h"
 #include "absl/strings/str_cat.h"
 #include "common/util/error_info.h"
 #include "common/util/failpoint.h"
@@ -15,6 +16,36 @@ namespace {
 constexpr std::chrono::milliseconds kBetweenTries(500);
 constexpr int kMostTries = 1200;
 
+// A status that ends a pipeline, not the job.
+constexpr char kBegunAgain[] = "begun-again";
+absl::Status BegunAgain() {
+  absl::Status status = absl::AbortedError("the job begins again");
+  status.SetPayload(kBegunAgain, absl::Cord());
+  return status;
+}
+bool IsBegunAgain(const absl::Status& status) { return status.GetPayload(kBegunAgain).has_value(); }
+
+// `content` is the output unless that is a blob.
+absl::StatusOr<TaskResult> ToResult(const SettledTask& task, std::optional<std::string> content,
+                                    const BlobFolder& blobs) {
+  TaskResult result{.cell = task.cell,
+                    .stage = task.stage,
+                    .output = std::string(),
+                    .worker = task.worker,
+                    .input = task.input,
+                    .known = task.known};
+  if (task.state != TaskState::kCommitted) {
+    result.output = task.error;
+    return result;
+  }
+  if (content.has_value()) {
+    result.output = *std::move(content);
+  } else {
+    TILEMEND_ASSIGN_OR_RETURN(result.output, blobs.Read(task.output));
+  }
+  return result;
+}
+
 }  // namespace
 
 JobRunner::JobRunner(JobSpec spec, PipelineFactory factory, std::shared_ptr<BlobFolder> blobs, Sink sink, Mode mode)
@@ -22,7 +53,7 @@ JobRunner::JobRunner(JobSpec spec, PipelineFactory factory, std::shared_ptr<Blob
       factory_(std::move(factory)),
       blobs_(std::move(blobs)),
       sink_(std::move(sink)),
-      resumes_(mode == Mode::kResume),
+      resumes_(mode == Mode::kResume ? std::optional(Resumption::kRestart) : std::nullopt),
       thread_([this, mode] { mode == Mode::kRelease ? ReleaseOnly() : Run(); }) {}
 
 JobRunner::~JobRunner() {
@@ -63,10 +94,16 @@ void JobRunner::Fail(absl::Status error) {
   changed_.notify_one();
 }
 
+void JobRunner::BeginAgain() {
+  std::lock_guard<std::mutex> lock(mutex_);
+  if (failure_.ok()) failure_ = BegunAgain();
+  changed_.notify_one();
+}
+
 void JobRunner::Run() {
   sink_.await();
   std::unique_ptr<JobPipeline> pipeline;
-  absl::StatusOr<JobOutcome> outcome = Settle(RunPipeline(pipeline));
+  absl::StatusOr<JobOutcome> outcome = RunToTheEnd(pipeline);
   if (outcome.ok()) {
     FailPoint("job.finished");
     sink_.completed(*outcome, pipeline->GetProgress());
@@ -93,12 +130,37 @@ void JobRunner::ReleaseOnly() {
   ended_.store(true);
 }
 
-absl::StatusOr<JobOutcome> JobRunner::Settle(absl::StatusOr<JobOutcome> outcome) {
+absl::StatusOr<JobOutcome> JobRunner::RunToTheEnd(std::unique_ptr<JobPipeline>& pipeline) {
+  absl::StatusOr<JobOutcome> outcome;
+  absl::StatusOr<bool> again = true;
+  while (again.ok() && *again) {
+    outcome = RunPipeline(pipeline);
+    again = PrepareToBeginAgain(pipeline);
+  }
+  if (!again.ok()) outcome = again.status();
   std::lock_guard<std::mutex> lock(mutex_);
   pipeline_ = nullptr;
   too_late_ = !cancel_.stop_requested();
   if (cancel_.stop_requested()) return absl::CancelledError("the job was cancelled");
   return outcome;
+}
+
+absl::StatusOr<bool> JobRunner::PrepareToBeginAgain(std::unique_ptr<JobPipeline>& pipeline) {
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    if (!IsBegunAgain(failure_) || cancel_.stop_requested()) return false;
+    pipeline_ = nullptr;
+  }
+  pipeline.reset();
+  TILEMEND_RETURN_IF_ERROR(sink_.begins_again());
+  for (const std::string& input : std::exchange(outstanding_, {})) blobs_->LetGo(input);
+  resumes_ = Resumption::kRevocation;
+  std::lock_guard<std::mutex> lock(mutex_);
+  // No task is out, so that no more come.
+  deliveries_.clear();
+  queued_bytes_ = 0;
+  if (IsBegunAgain(failure_)) failure_ = absl::OkStatus();
+  return true;
 }
 
 absl::StatusOr<std::unique_ptr<JobPipeline>> JobRunner::MakePipeline() {
@@ -136,11 +198,11 @@ absl::StatusOr<JobOutcome> JobRunner::RunPipeline(std::unique_ptr<JobPipeline>& 
 }
 
 absl::StatusOr<JobOutcome> JobRunner::DrivePipeline(JobPipeline& pipeline) {
-  if (resumes_) pipeline.Resume();
+  if (resumes_) pipeline.Resume(*resumes_);
   TILEMEND_ASSIGN_OR_RETURN(std::vector<NewTask> first, pipeline.Start());
   TILEMEND_RETURN_IF_ERROR(AddTasks(pipeline, std::move(first)));
   while (!pipeline.Done()) {
-    if (outstanding_ == 0) {
+    if (outstanding_.empty()) {
       return absl::InternalError("the pipeline is not done, yet has no task left: this is a bug in tilemend");
     }
     TILEMEND_ASSIGN_OR_RETURN(std::deque<Delivery> deliveries, NextDeliveries());
@@ -164,28 +226,19 @@ absl::Status JobRunner::TakeDelivery(JobPipeline& pipeline, Delivery delivery) {
   {
     std::lock_guard<std::mutex> lock(mutex_);
     if (cancel_.stop_requested()) return absl::CancelledError("the job was cancelled");
+    TILEMEND_RETURN_IF_ERROR(failure_);
   }
   if (delivery.content.has_value()) queued_bytes_ -= delivery.content->size();
-  --outstanding_;
+  outstanding_.erase(outstanding_.find(delivery.task.input));
   blobs_->LetGo(delivery.task.input);
-  TILEMEND_ASSIGN_OR_RETURN(TaskResult result, ToResult(std::move(delivery)));
+  TILEMEND_ASSIGN_OR_RETURN(TaskResult result, ToResult(delivery.task, std::move(delivery.content), *blobs_));
   TILEMEND_ASSIGN_OR_RETURN(std::vector<NewTask> tasks, pipeline.OnTaskDone(std::move(result)));
+  if (const auto caught = pipeline.Caught()) {
+    TILEMEND_RETURN_IF_ERROR(sink_.caught(*caught));
+    BeginAgain();
+    return absl::OkStatus();
+  }
   return AddTasks(pipeline, std::move(tasks));
-}
-
-absl::StatusOr<TaskResult> JobRunner::ToResult(Delivery delivery) const {
-  const SettledTask& task = delivery.task;
-  TaskResult result{.cell = task.cell, .stage = task.stage, .output = std::string()};
-  if (task.state != TaskState::kCommitted) {
-    result.output = task.error;
-    return result;
-  }
-  if (delivery.content.has_value()) {
-    result.output = *std::move(delivery.content);
-  } else {
-    TILEMEND_ASSIGN_OR_RETURN(result.output, blobs_->Read(task.output));
-  }
-  return result;
 }
 
 absl::Status JobRunner::AddTasks(JobPipeline& pipeline, std::vector<NewTask> tasks) {
@@ -193,9 +246,9 @@ absl::Status JobRunner::AddTasks(JobPipeline& pipeline, std::vector<NewTask> tas
   specs.reserve(tasks.size());
   for (NewTask& task : tasks) {
     TILEMEND_ASSIGN_OR_RETURN(std::string digest, blobs_->Hold(std::move(task.input)));
-    specs.push_back({task.cell, task.stage, std::move(digest)});
+    outstanding_.insert(digest);
+    specs.push_back({task.cell, task.stage, std::move(digest), {}, {}, std::move(task.avoid)});
   }
-  outstanding_ += static_cast<int64_t>(specs.size());
   return sink_.add_tasks(std::move(specs), pipeline.GetProgress());
 }
 

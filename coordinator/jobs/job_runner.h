@@ -10,6 +10,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -37,6 +38,12 @@ class JobRunner {
     std::function<void()> released;                                      // last; the job has left nothing to take away
     std::function<void(JobFolders)> folders = [](const JobFolders&) {};  // first
     std::function<void(std::shared_ptr<const SceneSight>)> sight = [](const std::shared_ptr<const SceneSight>&) {};
+    // An accepted result of a worker is wrong. An error fails the job.
+    std::function<absl::Status(const CaughtWorker&)> caught = [](const CaughtWorker& worker) {
+      return absl::AbortedError(worker.reason);
+    };
+    // The job begins again: its tasks are forgotten, and add_tasks knows the results that stay.
+    std::function<absl::Status()> begins_again = [] { return absl::OkStatus(); };
   };
   enum class Mode { kRun, kResume, kRelease };
 
@@ -50,6 +57,9 @@ class JobRunner {
 
   // Hands over a task that came to its end. `content` is its output if that is not a blob.
   void Deliver(SettledTask task, std::optional<std::string> content);
+
+  // Ends the pipeline and runs another, which asks for all tasks again. No effect once the job is over.
+  void BeginAgain();
 
   // Bytes of content that wait for the pipeline.
   size_t queued_bytes() const { return queued_bytes_.load(); }
@@ -84,21 +94,22 @@ class JobRunner {
   // ends: that is waited for, ten minutes at most.
   absl::StatusOr<std::unique_ptr<JobPipeline>> MakePipeline();
   absl::StatusOr<JobOutcome> RunPipeline(std::unique_ptr<JobPipeline>& pipeline);
-  absl::StatusOr<JobOutcome> DrivePipeline(JobPipeline& pipeline);
+  // After a pipeline ended. False if that is the job's end.
+  absl::StatusOr<bool> PrepareToBeginAgain(std::unique_ptr<JobPipeline>& pipeline);
   // Durable ones.
   absl::StatusOr<std::deque<Delivery>> NextDeliveries();
   absl::Status TakeDelivery(JobPipeline& pipeline, Delivery delivery);
-  // The end as it counts: `outcome`, or that it was cancelled before. From now on it is too late for that.
-  absl::StatusOr<JobOutcome> Settle(absl::StatusOr<JobOutcome> outcome);
-  absl::StatusOr<TaskResult> ToResult(Delivery delivery) const;
+  // The end of the job's last pipeline as it counts: its outcome, or that it was cancelled before. From now on it is
+  // too late for that.
+  absl::StatusOr<JobOutcome> RunToTheEnd(std::unique_ptr<JobPipeline>& pipeline);
   absl::Status AddTasks(JobPipeline& pipeline, std::vector<NewTask> tasks);
 
   const JobSpec spec_;
   const PipelineFactory factory_;
   const std::shared_ptr<BlobFolder> blobs_;
   const Sink sink_;
-  const bool resumes_;
-  int64_t outstanding_ = 0;  // tasks given out and not yet taken back; the job's thread only
+  std::optional<Resumption> resumes_;       // here and below: the job's thread only
+  std::multiset<std::string> outstanding_;  // inputs of the tasks that are given out and not yet taken back
   std::atomic<size_t> queued_bytes_{0};
   std::atomic<bool> may_write_{true};
   std::atomic<bool> ended_{false};
@@ -109,10 +120,10 @@ class JobRunner {
   bool abandoned_ = false;
   std::stop_source cancel_;           // also of the making of the pipeline
   std::atomic<bool> leaving_{false};  // Abandon was called
-  absl::Status failure_;
-  bool too_late_ = false;            // to cancel
-  JobPipeline* pipeline_ = nullptr;  // while it may be cancelled
-  std::thread thread_;               // last: it uses the others
+  absl::Status failure_;              // of the job, or BegunAgain()
+  bool too_late_ = false;             // to cancel
+  JobPipeline* pipeline_ = nullptr;   // while it may be cancelled
+  std::thread thread_;                // last: it uses the others
 };
 
 }  // namespace tilemend

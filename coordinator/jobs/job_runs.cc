@@ -16,6 +16,7 @@
 #include "common/util/status_macros.h"
 #include "coordinator/jobs/describe_job.h"
 #include "coordinator/jobs/job_proto.h"
+#include "coordinator/state/task_choice.h"
 
 namespace tilemend {
 namespace {
@@ -128,7 +129,9 @@ JobRunner::Sink JobRuns::SinkOf(const std::string& id) {
               [this, id](std::shared_ptr<const SceneSight> sight) {
                 ClusterLock lock(cluster_.mutex);
                 cluster_.jobs.at(id).sight = std::move(sight);
-              }};
+              },
+          .caught = [this, id](const CaughtWorker& caught) { return OnCaught(id, caught); },
+          .begins_again = [this, id] { return OnBeginsAgain(id); }};
 }
 
 PipelineFactory JobRuns::FactoryOf(const std::string& id) {
@@ -190,6 +193,29 @@ void JobRuns::OnFinished(const std::string& id, absl::StatusOr<JobOutcome> outco
   if (state == JobState::kFailed) journal_.PutJob(*job, true);
   cluster_.ShowMetrics();
   cluster_.Changed();
+}
+
+absl::Status JobRuns::OnCaught(const std::string& id, const CaughtWorker& caught) {
+  ClusterLock lock(cluster_.mutex);
+  const bool another = HasOtherWorker(cluster_.state, caught.worker, id, cluster_.MayWorkNow());
+  const auto effects = updates_.Apply(WorkerDisproved{id, caught.worker, caught.reason, another});
+  updates_.Warn(id, caught.reason);
+  if (effects.ok()) return absl::OkStatus();
+  return WithErrorInfo(absl::AbortedError(caught.reason), {"OUTPUT_CHANGED", {}});
+}
+
+absl::Status JobRuns::OnBeginsAgain(const std::string& id) {
+  int64_t number = 0;
+  {
+    ClusterLock lock(cluster_.mutex);
+    TILEMEND_RETURN_IF_ERROR(updates_.Apply(JobRedone{id}).status());
+    JobEntry& entry = cluster_.jobs.at(id);
+    entry.resuming = true;
+    entry.board = CellBoard();
+    number = cluster_.state.FindJob(id)->number;
+    cluster_.Changed();
+  }
+  return cluster_.journal->ReadAgain(number);
 }
 
 void JobRuns::OnReleased(const std::string& id) {

@@ -56,6 +56,8 @@ class JobRuns {
   void OnCompleted(const std::string& id, const JobOutcome& outcome, const Progress& progress);
   void OnFinished(const std::string& id, absl::StatusOr<JobOutcome> outcome);
   void OnReleased(const std::string& id);
+  absl::Status OnCaught(const std::string& id, const CaughtWorker& caught);
+  absl::Status OnBeginsAgain(const std::string& id);
 
   Cluster& cluster_;
   StateUpdates& updates_;

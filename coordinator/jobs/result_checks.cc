@@ -89,7 +89,7 @@ absl::Status CheckSameSurvey(const v1::SurveyInput& input, const v1::SurveyOutpu
   if (!input.has_known() || output.digest() != input.known().digest()) return Wrong("another tile than is known");
   TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, TileSize(input.tile()));
   if (bytes != input.known().bytes()) return changed;
-  if (how == TileCheck::kSize) return absl::OkStatus();
+  if (how != TileCheck::kContent) return absl::OkStatus();
   return CheckTileFile(input.tile(), output.digest(), changed);
 }
 
@@ -163,10 +163,6 @@ absl::Status CheckOutput(const std::string& input_bytes, const v1::SurveyOutput&
   TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, TileSize(input.tile()));
   TILEMEND_RETURN_IF_ERROR(AsWrong(CheckSurvey(*record, bytes)));
   if (reading.how == TileCheck::kContent) return CheckSurveyedTile(input, output, *record, reading);
-  if (reading.how == TileCheck::kDigest) {
-    const std::string path = TilePath(input.tile());
-    TILEMEND_RETURN_IF_ERROR(CheckTileFile(input.tile(), output.digest(), OtherTile(path, output)));
-  }
   return CheckUnusual(input, *record, reading);
 }
 
@@ -219,6 +215,19 @@ absl::Status CheckOutput(const std::string& input_bytes, const v1::AssembleOutpu
   return CheckAssembleResult(input_bytes, output, reading);
 }
 
+absl::Status CheckVerification(const std::string& input_bytes, const std::string& output_bytes) {
+  TILEMEND_ASSIGN_OR_RETURN(const auto input, ParseResult<v1::VerifyInput>(input_bytes));
+  v1::VerifyOutput output;
+  if (!output.ParseFromString(output_bytes)) return Wrong("not the message of its stage");
+  if (output.files_size() != input.paths_size() + input.tiles_size() + input.tasks_size()) {
+    return Wrong("not a digest for each file and task");
+  }
+  for (const v1::VerifiedFile& file : output.files()) {
+    if (!IsFileDigest(file.digest())) return Wrong("a digest that is none");
+  }
+  return absl::OkStatus();
+}
+
 absl::Status CheckStage(const std::string& input, const StageOutput& output, TileReading& reading) {
   return std::visit([&](const auto& message) { return CheckOutput(input, message, reading); }, output);
 }
@@ -230,9 +239,18 @@ absl::Status CheckKnownOutput(const std::string& input, const StageOutput& outpu
   return CheckStage(input, output, reading);
 }
 
+std::vector<std::string> AttemptsOfScene(Stage stage, const std::string& output) {
+  std::vector<std::string> names;
+  v1::AssembleOutput assembled;
+  if (stage != Stage::kAssemble || !assembled.ParseFromString(output) || assembled.unchanged()) return names;
+  for (const v1::WrittenFile& file : assembled.files()) names.push_back(file.attempt());
+  return names;
+}
+
 ResultCheck SceneResultCheck(TileCheck tiles) {
   return [reading = std::make_shared<TileReading>(tiles)](Stage stage, const std::string& input,
                                                           const std::string& bytes) {
+    if (stage == Stage::kVerify) return CheckVerification(input, bytes);
     const auto output = ParseStageOutput(stage, bytes);
     if (absl::IsInvalidArgument(output.status())) return AsWrong(output.status());
     return output.ok() ? CheckStage(input, *output, *reading) : output.status();

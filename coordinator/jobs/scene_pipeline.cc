@@ -31,6 +31,7 @@
 #include "coordinator/jobs/scene_folders.h"
 #include "coordinator/jobs/scene_options.h"
 #include "coordinator/jobs/scene_tasks.h"
+#include "coordinator/jobs/scene_verification.h"
 #include "coordinator/jobs/task_reuse.h"
 #include "coordinator/report/area_choice.h"
 #include "coordinator/report/left_open.h"
@@ -98,6 +99,32 @@ absl::Status WriteScene(const Scene& scene, OutputFolder& output) {
   return WriteTileset(scene, output);
 }
 
+// For people. A dry run says what would be done.
+std::string MessageOf(const JobSpec& spec, const SceneReportInput& report, const TaskReuse& reuse, bool all_closed) {
+  const size_t all = report.plan->holes.size();
+  int64_t chosen = 0, stay_open = 0;
+  for (const PlannedHole& hole : report.plan->holes) {
+    if (!report.outcome.chosen.empty() && !report.outcome.chosen.contains(hole.cell)) continue;
+    ++chosen;
+    stay_open += hole.failure.empty() ? 0 : 1;
+  }
+  std::string message =
+      spec.dry_run() ? absl::StrCat(all, " holes found, nothing written: ", chosen - stay_open,
+                                    " to fill (filling may find some that stay open), ", stay_open, " that stay open")
+                     : absl::StrCat(report.outcome.sizes.size(), " of ", chosen, " holes filled",
+                                    all_closed ? "" : "; the report lists what is left open");
+  if (!spec.cells().empty()) {
+    absl::StrAppend(&message, "; ", chosen, " of ", all, " holes are in the ", report.outcome.chosen.size(), " of ",
+                    report.cells, " cells that were chosen");
+  }
+  if (reuse.taken_over() == 0) return message;
+  if (reuse.tiles_kept() > 0) {
+    absl::StrAppend(&message, "; ", reuse.tiles_kept(), " of ", reuse.tiles(), " tiles kept as they were");
+  }
+  return absl::StrCat(message, "; ", reuse.taken_over(), " of ", reuse.tasks(), " results taken over, ",
+                      reuse.without_worker(), " of them without a task for a worker");
+}
+
 // How long each step took, and what the page sees of them.
 struct Steps {
   Stopwatch watch;
@@ -128,38 +155,15 @@ class OutputEnd {
   std::atomic<End> end_{End::kOpen};
 };
 
-// A job with the cells that its output has then.
-struct JobOnOutput {
-  JobSpec spec;
-  JobIdentity identity;
-  std::string key;  // of its report
-  bool adds = false;
-};
-
-absl::StatusOr<JobOnOutput> OnOutput(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest,
-                                     const Scene& scene) {
-  JobOnOutput job{spec, IdentityOf(spec), "", false};
-  AddFileDigest("water", water.digest, job.identity);
-  AddFileDigest("clear", water.clear_digest, job.identity);
-  AddFileDigest("area", area_digest, job.identity);
-  TILEMEND_ASSIGN_OR_RETURN(const OutputCells cells, CellsWithOutput(spec, job.identity, scene));
-  job.adds = cells.adds;
-  job.spec.set_cells(cells.cells);
-  job.identity["cells"] = cells.cells;
-  job.key = OutputKey(JobKey(job.identity));
-  AddFileDigest("decisions", water.decisions_digest, job.identity);
-  return job;
-}
-
 // Drives the waves of a scene with tasks, takes over what is known of them, and owns the output.
 class ScenePipeline : public JobPipeline {
  public:
   ScenePipeline(JobOnOutput job, Scene scene, std::set<CellId> chosen, WaterOptions water,
-                std::optional<OutputFolder> output, std::shared_ptr<ScratchFile> scratch, TileCheck tiles)
+                std::optional<OutputFolder> output, std::shared_ptr<ScratchFile> scratch, VerifiedShares verified)
       : job_(std::move(job)),
         spec_(job_.spec),
         output_(std::move(output)),
-        tile_check_(tiles),
+        verification_(verified, output_ ? output_->path() : "", scratch),
         waves_(std::move(scene), OptionsFor(std::move(chosen), std::move(water)),
                [this](std::string_view step) { steps_.End(step, waves_); }),
         tasks_(spec_, waves_, output_ ? &*output_ : nullptr, std::move(scratch)) {
@@ -172,9 +176,9 @@ class ScenePipeline : public JobPipeline {
 
   std::shared_ptr<const SceneSight> Sight() const override { return steps_.sight; }
 
-  void Resume() override {
-    resumed_ = true;
-    if (output_ && tile_check_ != TileCheck::kSize) output_->ReadAtTheEnd();
+  void Resume(Resumption why) override {
+    opening_ = why == Resumption::kRestart ? ResultLog::Opening::kSameJob : ResultLog::Opening::kSameJobAnew;
+    verification_.IncludeAll();
   }
 
   absl::StatusOr<std::vector<NewTask>> Start() override {
@@ -182,7 +186,7 @@ class ScenePipeline : public JobPipeline {
     if (std::all_of(tiles.begin(), tiles.end(), [](const SceneTile& tile) { return tile.path.empty(); }))
       return absl::InvalidArgumentError(absl::StrCat(spec_.scene(), ": no cell of the scene has a tile"));
     if (output_) {
-      TILEMEND_ASSIGN_OR_RETURN(ResultLog log, ResultLog::Open(output_->result_log(), resumed_));
+      TILEMEND_ASSIGN_OR_RETURN(ResultLog log, ResultLog::Open(output_->result_log(), opening_));
       reuse_.emplace(std::move(log));
     }
     return NextTasks();
@@ -196,11 +200,13 @@ class ScenePipeline : public JobPipeline {
     return next;
   }
 
-  bool Done() const override { return waves_.done(); }
+  std::optional<CaughtWorker> Caught() const override { return verification_.caught(); }
+
+  bool Done() const override { return waves_.done() && verification_.is_over(); }
 
   Progress GetProgress() const override {
     Progress progress;
-    progress.phase = waves_.phase();
+    progress.phase = waves_.done() && !Done() ? kVerifyPhase : waves_.phase();
     progress.cells = static_cast<int64_t>(waves_.scene().tiles.size());
     progress.cells_done = waves_.cells_done();
     progress.holes = static_cast<int64_t>(waves_.plan().holes.size());
@@ -225,7 +231,7 @@ class ScenePipeline : public JobPipeline {
     JobOutcome outcome;
     const auto left = LeftOf(report);
     outcome.partial = IsPartial(report) && !spec_.dry_run();
-    outcome.message = MessageOf(report, left.empty());
+    outcome.message = MessageOf(spec_, report, *reuse_, left.empty());
     if (spec_.dry_run()) outcome.warnings = FirstOf(WarningsOf(report));
     if (output_) TILEMEND_RETURN_IF_ERROR(FinishOutput(report, outcome));
     return outcome;
@@ -241,18 +247,27 @@ class ScenePipeline : public JobPipeline {
   }
 
   absl::StatusOr<std::vector<NewTask>> TakeResult(TaskResult result) {
+    if (result.stage == Stage::kVerify) {
+      TILEMEND_RETURN_IF_ERROR(verification_.Take(result));
+      return verification_.caught() ? std::vector<NewTask>() : NextTasks();
+    }
+    verification_.AddResult(result);
+    if (verification_.caught()) return std::vector<NewTask>();
     if (!result.output.ok()) {
       TILEMEND_RETURN_IF_ERROR(Leave(result));
       return NextTasks();
     }
     const CellId cell = result.cell;
     const Stage stage = result.stage;
+    SceneVerification::Report report = SceneVerification::ReportOf(result);
     TILEMEND_ASSIGN_OR_RETURN(StageResult decoded, DecodeResult(std::move(result)));
     const int32_t number = NumberOf(decoded.output);
     TILEMEND_RETURN_IF_ERROR(reuse_->Resolve(decoded, number));
     const std::string bytes = std::move(decoded.bytes);
+    SceneVerification::ReadOutput(decoded.output, waves_, report);
     TILEMEND_RETURN_IF_ERROR(tasks_.Take(std::move(decoded)));
     TILEMEND_RETURN_IF_ERROR(reuse_->Keep(cell, stage, number, bytes));
+    verification_.AddReport(std::move(report), waves_.scene().root);
     return NextTasks();
   }
 
@@ -272,10 +287,17 @@ class ScenePipeline : public JobPipeline {
         TILEMEND_RETURN_IF_ERROR(tasks_.Take(*std::move(known)));
       } else {
         TILEMEND_RETURN_IF_ERROR(tasks_.AddHelp(task));
+        TILEMEND_RETURN_IF_ERROR(verification_.AddTask(task));
         bytes += task.input.size();
         ++tasks_out_;
         tasks.push_back(std::move(task));
       }
+    }
+    while (tasks.size() < kEnoughTasks && tasks_out_ < kMostTasksOut) {
+      TILEMEND_ASSIGN_OR_RETURN(std::optional<NewTask> task, verification_.Next(waves_.done()));
+      if (!task) break;
+      ++tasks_out_;
+      tasks.push_back(*std::move(task));
     }
     return tasks;
   }
@@ -304,32 +326,6 @@ class ScenePipeline : public JobPipeline {
     waves_.LeaveHoles(result.cell, reason);
     tasks_.Forget(result.cell);
     return absl::OkStatus();
-  }
-
-  // For people. A dry run says what would be done.
-  std::string MessageOf(const SceneReportInput& report, bool all_closed) const {
-    const size_t all = report.plan->holes.size();
-    int64_t chosen = 0, stay_open = 0;
-    for (const PlannedHole& hole : report.plan->holes) {
-      if (!report.outcome.chosen.empty() && !report.outcome.chosen.contains(hole.cell)) continue;
-      ++chosen;
-      stay_open += hole.failure.empty() ? 0 : 1;
-    }
-    std::string message = spec_.dry_run() ? absl::StrCat(all, " holes found, nothing written: ", chosen - stay_open,
-                                                         " to fill (filling may find some that stay open), ", stay_open,
-                                                         " that stay open")
-                                          : absl::StrCat(report.outcome.sizes.size(), " of ", chosen, " holes filled",
-                                                         all_closed ? "" : "; the report lists what is left open");
-    if (!spec_.cells().empty()) {
-      absl::StrAppend(&message, "; ", chosen, " of ", all, " holes are in the ", report.outcome.chosen.size(), " of ",
-                      report.cells, " cells that were chosen");
-    }
-    if (reuse_->taken_over() == 0) return message;
-    if (reuse_->tiles_kept() > 0) {
-      absl::StrAppend(&message, "; ", reuse_->tiles_kept(), " of ", reuse_->tiles(), " tiles kept as they were");
-    }
-    return absl::StrCat(message, "; ", reuse_->taken_over(), " of ", reuse_->tasks(), " results taken over, ",
-                        reuse_->without_worker(), " of them without a task for a worker");
   }
 
   SceneReportInput Report() const {
@@ -382,19 +378,19 @@ class ScenePipeline : public JobPipeline {
   const JobSpec spec_;
   const std::string key_;               // as OutputKey
   std::optional<OutputFolder> output_;  // none in a dry run
-  const TileCheck tile_check_;
+  SceneVerification verification_;
   int64_t tasks_out_ = 0;  // given out, and their results have not come
   bool writing_ = false;
   OutputEnd end_;
   Steps steps_;
   SceneWaves waves_;
   SceneTasks tasks_;
-  bool resumed_ = false;
+  ResultLog::Opening opening_ = ResultLog::Opening::kNewJob;
   std::optional<TaskReuse> reuse_{std::in_place, std::nullopt};
 };
 
 absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& spec, const std::string& scratch_folder,
-                                                               TileCheck tiles, const std::stop_token& stop) {
+                                                               VerifiedShares verified, const std::stop_token& stop) {
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene(), ReadTileBounds, ReadTilesets));
   CheckCrs(scene, stop);
   TILEMEND_ASSIGN_OR_RETURN(const std::string area_digest, ApplyAreaChoice(spec.area(), scene, stop));
@@ -420,14 +416,14 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
   }
   TILEMEND_ASSIGN_OR_RETURN(auto scratch, ScratchFile::Create(scratch_folder));
   return std::make_unique<ScenePipeline>(std::move(job), std::move(scene), std::move(chosen), std::move(water.options),
-                                         std::move(output), std::move(scratch), tiles);
+                                         std::move(output), std::move(scratch), verified);
 }
 
 }  // namespace
 
-PipelineFactory ScenePipelineFactory(std::string scratch, TileCheck tiles) {
+PipelineFactory ScenePipelineFactory(std::string scratch, VerifiedShares verified) {
   return [=, scratch = std::move(scratch)](const JobSpec& spec, const std::stop_token& stop) {
-    return MakeScenePipeline(spec, scratch, tiles, stop);
+    return MakeScenePipeline(spec, scratch, verified, stop);
   };
 }
 

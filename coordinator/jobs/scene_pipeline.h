@@ -5,14 +5,14 @@
 #include <string>
 
 #include "coordinator/jobs/job_pipeline.h"
-#include "coordinator/jobs/result_checks.h"
+#include "coordinator/jobs/scene_verification.h"
 
 namespace tilemend {
 
 // What a job puts aside while it runs lies in `scratch`, a folder; empty: that of the system for such files. Files
-// there have no names: they end with the process. Of a job that an earlier process began, the output's tiles are read
-// once before the report, unless `tiles` is kSize.
-PipelineFactory ScenePipelineFactory(std::string scratch = "", TileCheck tiles = TileCheck::kDigest);
+// there have no names: they end with the process. If a share of the files is verified, all files are in a job that an
+// earlier process began.
+PipelineFactory ScenePipelineFactory(std::string scratch = "", VerifiedShares verified = {});
 
 }  // namespace tilemend
 

@@ -114,17 +114,6 @@ absl::Status AddTilesAround(const Scene& scene, CellId cell, const Ref& ref, v1:
   return absl::OkStatus();
 }
 
-// Where a tile lies, without what was surveyed of it.
-v1::TileRef PlaceOf(const SceneTile& tile, const std::string& root) {
-  v1::TileRef ref;
-  ref.set_root(root);
-  ref.set_path(tile.path);
-  ref.set_col(tile.cell.col);
-  ref.set_row(tile.cell.row);
-  ref.mutable_frame()->Add(tile.frame.begin(), tile.frame.end());
-  return ref;
-}
-
 // The file with the materials of the tile's fill: the tile's own, `library`, or a new one if that is empty.
 void SetLibrary(const std::string& path, const std::string& library, const SceneFiles& files,
                 const std::map<std::string, std::string>& digests, v1::AssembleInput& input) {
@@ -134,6 +123,16 @@ void SetLibrary(const std::string& path, const std::string& library, const Scene
 }
 
 }  // namespace
+
+v1::TileRef TileRefOf(const SceneTile& tile, const std::string& root) {
+  v1::TileRef ref;
+  ref.set_root(root);
+  ref.set_path(tile.path);
+  ref.set_col(tile.cell.col);
+  ref.set_row(tile.cell.row);
+  ref.mutable_frame()->Add(tile.frame.begin(), tile.frame.end());
+  return ref;
+}
 
 SceneTasks::SceneTasks(const JobSpec& spec, SceneWaves& waves, OutputFolder* output,
                        std::shared_ptr<ScratchFile> scratch)
@@ -316,7 +315,7 @@ void SceneTasks::SetFiles(const SceneTile& tile, v1::AssembleInput& input) {
 }
 
 absl::StatusOr<v1::TileRef> SceneTasks::Ref(const SceneTile& tile) const {
-  v1::TileRef ref = PlaceOf(tile, waves_.scene().root);
+  v1::TileRef ref = TileRefOf(tile, waves_.scene().root);
   for (const ClearArea& area : waves_.clearing().Areas(tile.cell)) *ref.add_clear() = ToProto(area);
   if (const auto place = surveyed_.find(tile.cell); place != surveyed_.end()) {
     TILEMEND_ASSIGN_OR_RETURN(auto surveyed, TakeUp<v1::SurveyOutput>(*scratch_, place->second));

@@ -24,6 +24,9 @@
 
 namespace tilemend {
 
+// Where a tile lies, without what was surveyed of it.
+v1::TileRef TileRefOf(const SceneTile& tile, const std::string& root);
+
 // Encodes the work of a SceneWaves and hands it the decoded results. Keeps between the two what neither of them does:
 // the patches of cells that are not assembled yet, digests, the files that tiles name, and the plan's numbers for those
 // in tasks (coordinator/waves/local_numbers.h).

@@ -34,6 +34,8 @@ absl::StatusOr<StageOutput> ParseStageOutput(Stage stage, const std::string& byt
       return ParseAs<v1::SmoothSeamOutput>(bytes);
     case Stage::kAssemble:
       return ParseAs<v1::AssembleOutput>(bytes);
+    case Stage::kVerify:
+      break;
   }
   return absl::InternalError("unknown stage");
 }

@@ -18,7 +18,8 @@ namespace tilemend {
 using StageOutput = std::variant<v1::MeasureOutput, v1::SurveyOutput, v1::GroundOutput, v1::SampleClusterOutput,
                                  v1::SampleLayerOutput, v1::FillOutput, v1::SmoothSeamOutput, v1::AssembleOutput>;
 
-// The message of the stage. kInvalidArgument if the bytes are not that message, kInternal for an unknown stage.
+// The message of a stage of the scene's work. kInvalidArgument if the bytes are not that message, kInternal for another
+// stage.
 absl::StatusOr<StageOutput> ParseStageOutput(Stage stage, const std::string& bytes);
 
 struct StageResult {

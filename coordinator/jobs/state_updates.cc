@@ -33,7 +33,20 @@ absl::StatusOr<Effects> StateUpdates::Apply(const Event& event, TaskContents con
   }
   if (!effects.retried.empty() || !effects.settled.empty()) cluster_.Changed();
   TakeVerdicts(effects);
+  for (const Revoked& revoked : effects.revoked) Revoke(revoked);
   return effects;
+}
+
+void StateUpdates::Revoke(const Revoked& revoked) {
+  const JobEntry& entry = cluster_.jobs.at(revoked.job);
+  // First: from here on the runner takes no result any more.
+  if (entry.runner != nullptr) entry.runner->BeginAgain();
+  journal_.DropResults(revoked);
+  cluster_.options.log->Warn("results of a worker are computed again",
+                             {{"job", revoked.job},
+                              {"trace", entry.origin.trace},
+                              {"worker", revoked.worker},
+                              {"tasks", static_cast<int64_t>(revoked.tasks.size())}});
 }
 
 void StateUpdates::Settle(const SettledTask& task, std::optional<std::string> content) {

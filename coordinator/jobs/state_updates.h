@@ -26,6 +26,8 @@ class StateUpdates {
 
  private:
   void Settle(const SettledTask& task, std::optional<std::string> content);
+  // The job is done again without what the worker gave.
+  void Revoke(const Revoked& revoked);
   // Which workers get no more tasks, and which get tasks again.
   void TakeVerdicts(const Effects& effects);
 

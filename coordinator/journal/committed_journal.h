@@ -22,6 +22,7 @@ class CommittedJournal : public Journal {
   void DropJob(int64_t job) override { Writer().Put(OldJob{job}); }
   std::vector<SetAsideRecord> TakeSetAside() override { return std::exchange(set_aside_, {}); }
   void PutSetAside(SetAsideRecord record) override { Writer().Put(std::move(record)); }
+  void DropResults(int64_t job, const std::string& worker) override { Writer().Put(FalseResults{job, worker}); }
   void Await() override { Writer().Await(); }
   bool is_durable() const override { return true; }
 

@@ -10,6 +10,7 @@ class ForgetfulJournal : public Journal {
   void PutJob(JobRecord) override {}
   void PutResult(int64_t, TaskName, ResultRecord) override {}
   void DropJob(int64_t) override {}
+  void DropResults(int64_t, const std::string&) override {}
   std::vector<SetAsideRecord> TakeSetAside() override { return {}; }
   void PutSetAside(SetAsideRecord) override {}
   void Await() override {}

@@ -25,7 +25,11 @@ struct NewResult {
 struct OldJob {
   int64_t number = 0;
 };
-using JournalPut = std::variant<JobRecord, NewResult, OldJob, SetAsideRecord>;
+struct FalseResults {
+  int64_t job = 0;
+  std::string worker;
+};
+using JournalPut = std::variant<JobRecord, NewResult, OldJob, SetAsideRecord, FalseResults>;
 
 // Ends the process with kExitRetryable. There is no going on: what was put has taken effect in memory, and whether it
 // is on the disk nobody can know. A sync that is tried again may succeed without having written what the first one

@@ -53,6 +53,7 @@ struct ResultRecord {
   std::optional<std::string> content = {};  // the output itself, unless it is a blob in the job's folder
   std::string error = {};                   // kFailed, kQuarantined: why; the journal does not look into it
   std::vector<std::string> lost_workers = {};
+  std::string worker = {};  // kCommitted: who gave it; "" where that is not known
   bool operator==(const ResultRecord&) const = default;
 };
 
@@ -78,11 +79,21 @@ class Journal {
   // what of it is on the disk.
   virtual void Await() = 0;
 
-  // What an earlier process put last for this task; none if it put nothing. kDataLoss if it is damaged.
+  // Forgets the results that the worker gave in the job.
+  virtual void DropResults(int64_t job, const std::string& worker) = 0;
+
+  // What an earlier process put last for this task; none if it put nothing. kDataLoss if it is damaged. After ReadAgain
+  // also what this process had put before that.
   virtual absl::StatusOr<std::optional<ResultRecord>> Find(int64_t job, const TaskName& task) = 0;
   // The digests of the outputs, of what an earlier process put, that are blobs in the job's folder; also of what it put
   // anew later. kDataLoss.
   virtual absl::StatusOr<std::vector<std::string>> Outputs(int64_t job) = 0;
+
+  // From now on Find knows what was put for the job so far. Waits as Await does. Cost O(results of all jobs).
+  virtual absl::Status ReadAgain(int64_t /*job*/) {
+    Await();  // which is all for a journal whose Find reads what is there
+    return absl::OkStatus();
+  }
 
   // Whether anything outlives the process. If not, nothing else needs to.
   virtual bool is_durable() const = 0;

@@ -1,6 +1,8 @@
 #include "coordinator/journal/journal_rows.h"
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_join.h"
+#include "absl/strings/str_split.h"
 #include "common/store/digest.h"
 
 namespace tilemend {
@@ -17,6 +19,19 @@ std::string SumOf(const std::vector<std::string_view>& parts) {
 
 std::string NameOf(const TaskName& task) {
   return SumOf({absl::StrCat(static_cast<int>(task.stage), " ", task.cell.col, " ", task.cell.row), task.input});
+}
+
+std::string WorkersOf(const ResultRecord& result) {
+  return result.state == TaskState::kCommitted ? result.worker : absl::StrJoin(result.lost_workers, "\n");
+}
+
+void SetWorkers(std::string_view workers, ResultRecord& result) {
+  if (workers.empty()) return;
+  if (result.state == TaskState::kCommitted) {
+    result.worker = workers;
+  } else {
+    result.lost_workers = absl::StrSplit(std::string(workers), '\n');
+  }
 }
 
 std::string ResultRow::Sum() const {

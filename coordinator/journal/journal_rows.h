@@ -20,14 +20,19 @@ std::string SumOf(const std::vector<std::string_view>& parts);
 // Of a task, as rows name it.
 std::string NameOf(const TaskName& task);
 
+// The workers of a result, as rows have them: those that were lost with its task, or who gave it.
+std::string WorkersOf(const ResultRecord& result);
+// The reverse. `result` has its state.
+void SetWorkers(std::string_view workers, ResultRecord& result);
+
 // A row of `result`.
 struct ResultRow {
   int64_t number = 0, job = 0;
   std::string name;
   int64_t state = 0;
   std::string output;
-  int64_t inside = 0;  // whether the output's bytes are in `content`
-  std::string error, lost_workers;
+  int64_t inside = 0;               // whether the output's bytes are in `content`
+  std::string error, lost_workers;  // the latter as WorkersOf
 
   std::string Sum() const;
 };

@@ -10,8 +10,6 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "absl/strings/str_join.h"
-#include "absl/strings/str_split.h"
 #include "absl/time/clock.h"
 #include "common/store/digest.h"
 #include "common/util/failpoint.h"
@@ -44,6 +42,48 @@ CREATE TABLE IF NOT EXISTS tilemend_aside(worker BYTEA PRIMARY KEY, reason BYTEA
 COMMIT;
 SET synchronous_commit = on;
 )";
+
+absl::Status Insert(PostgresConnection& connection, const JobRecord& job) {
+  return connection
+      .Query(
+          "INSERT INTO tilemend_job VALUES($1,$2,$3,$4,$5) ON CONFLICT (number) DO UPDATE SET "
+          "request_id = $2, body = $3, over = $4, released = $5",
+          {job.number, job.request_id, job.body, int64_t{job.over}, int64_t{job.released}})
+      .status();
+}
+
+absl::Status Insert(PostgresConnection& connection, const NewResult& put) {
+  const ResultRecord& result = put.result;
+  const std::string name = NameOf(put.task), workers = WorkersOf(result);
+  return connection
+      .Query(
+          "INSERT INTO tilemend_result VALUES($1,$2,$3,$4,$5,$6,$7,$8) ON CONFLICT (job, name) DO UPDATE SET "
+          "state = $3, output = $4, inside = $5, error = $6, lost_workers = $7, content = $8",
+          {put.job, name, static_cast<int64_t>(result.state), result.output, int64_t{result.content.has_value()},
+           result.error, workers, result.content ? std::string_view(*result.content) : std::string_view()})
+      .status();
+}
+
+absl::Status Insert(PostgresConnection& connection, const OldJob& job) {
+  return connection.Query("DELETE FROM tilemend_job WHERE number = $1", {job.number}).status();
+}
+
+absl::Status Insert(PostgresConnection& connection, const FalseResults& results) {
+  return connection
+      .Query("DELETE FROM tilemend_result WHERE job = $1 AND lost_workers = $2 AND state = $3",
+             {results.job, results.worker, static_cast<int64_t>(TaskState::kCommitted)})
+      .status();
+}
+
+absl::Status Insert(PostgresConnection& connection, const SetAsideRecord& aside) {
+  if (aside.reason.empty()) {
+    return connection.Query("DELETE FROM tilemend_aside WHERE worker = $1", {aside.worker}).status();
+  }
+  return connection
+      .Query("INSERT INTO tilemend_aside VALUES($1,$2) ON CONFLICT (worker) DO UPDATE SET reason = $2",
+             {aside.worker, aside.reason})
+      .status();
+}
 
 class PostgresJournal : public CommittedJournal {
  public:
@@ -81,10 +121,6 @@ class PostgresJournal : public CommittedJournal {
   void Commit(const std::vector<JournalPut>& puts);
   // Ends the process unless its epoch is the last one. Within a transaction: until its end it stays so.
   void SayAtWork();
-  absl::Status Insert(const JobRecord& job);
-  absl::Status Insert(const NewResult& put);
-  absl::Status Insert(const OldJob& job);
-  absl::Status Insert(const SetAsideRecord& aside);
   bool DeleteOldResults();
 
   void Beat();  // a thread
@@ -159,8 +195,7 @@ absl::StatusOr<std::optional<ResultRecord>> PostgresJournal::Find(int64_t job, c
                       std::nullopt,
                       std::string(rows.Bytes(0, 3)),
                       {}};
-  const std::string lost(rows.Bytes(0, 4));
-  if (!lost.empty()) result.lost_workers = absl::StrSplit(lost, '\n');
+  SetWorkers(rows.Bytes(0, 4), result);
   if (rows.Int(0, 2) == 0) return result;
   result.content = std::string(rows.Bytes(0, 5));
   if (Sha256Hex(*result.content) == result.output) return result;
@@ -187,48 +222,14 @@ void PostgresJournal::Commit(const std::vector<JournalPut>& puts) {
   RequireOfJournal(connection_.Run("BEGIN"));
   SayAtWork();
   for (const JournalPut& put : puts) {
-    RequireOfJournal(std::visit([this](const auto& p) { return Insert(p); }, put));
+    RequireOfJournal(std::visit([this](const auto& p) { return Insert(connection_, p); }, put));
+    if (const auto* const job = std::get_if<JobRecord>(&put); job != nullptr && job->over)
+      old_jobs_.insert(job->number);
+    if (const auto* const job = std::get_if<OldJob>(&put)) old_jobs_.insert(job->number);
   }
   if (FailPoint("journal.commit")) EndForJournal(absl::InternalError("PostgreSQL: a commit failed (injected)"));
   RequireOfJournal(connection_.Run("COMMIT"));
   FailPoint("journal.committed");
-}
-
-absl::Status PostgresJournal::Insert(const JobRecord& job) {
-  if (job.over) old_jobs_.insert(job.number);
-  return connection_
-      .Query(
-          "INSERT INTO tilemend_job VALUES($1,$2,$3,$4,$5) ON CONFLICT (number) DO UPDATE SET "
-          "request_id = $2, body = $3, over = $4, released = $5",
-          {job.number, job.request_id, job.body, int64_t{job.over}, int64_t{job.released}})
-      .status();
-}
-
-absl::Status PostgresJournal::Insert(const NewResult& put) {
-  const ResultRecord& result = put.result;
-  const std::string name = NameOf(put.task), lost = absl::StrJoin(result.lost_workers, "\n");
-  return connection_
-      .Query(
-          "INSERT INTO tilemend_result VALUES($1,$2,$3,$4,$5,$6,$7,$8) ON CONFLICT (job, name) DO UPDATE SET "
-          "state = $3, output = $4, inside = $5, error = $6, lost_workers = $7, content = $8",
-          {put.job, name, static_cast<int64_t>(result.state), result.output, int64_t{result.content.has_value()},
-           result.error, lost, result.content ? std::string_view(*result.content) : std::string_view()})
-      .status();
-}
-
-absl::Status PostgresJournal::Insert(const OldJob& job) {
-  old_jobs_.insert(job.number);
-  return connection_.Query("DELETE FROM tilemend_job WHERE number = $1", {job.number}).status();
-}
-
-absl::Status PostgresJournal::Insert(const SetAsideRecord& aside) {
-  if (aside.reason.empty()) {
-    return connection_.Query("DELETE FROM tilemend_aside WHERE worker = $1", {aside.worker}).status();
-  }
-  return connection_
-      .Query("INSERT INTO tilemend_aside VALUES($1,$2) ON CONFLICT (worker) DO UPDATE SET reason = $2",
-             {aside.worker, aside.reason})
-      .status();
 }
 
 bool PostgresJournal::DeleteOldResults() {

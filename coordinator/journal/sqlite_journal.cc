@@ -1,9 +1,7 @@
 #include "coordinator/journal/sqlite_journal.h"
 
 #include <algorithm>
-#include <cstring>
 #include <deque>
-#include <map>
 #include <mutex>
 #include <set>
 #include <utility>
@@ -11,8 +9,6 @@
 
 #include "absl/container/flat_hash_map.h"
 #include "absl/strings/str_cat.h"
-#include "absl/strings/str_join.h"
-#include "absl/strings/str_split.h"
 #include "common/store/digest.h"
 #include "common/util/failpoint.h"
 #include "common/util/status_macros.h"
@@ -20,6 +16,7 @@
 #include "coordinator/journal/group_commit.h"
 #include "coordinator/journal/journal_rows.h"
 #include "coordinator/journal/sqlite_journal_file.h"
+#include "coordinator/journal/sqlite_result_index.h"
 
 namespace tilemend {
 namespace {
@@ -37,16 +34,14 @@ class SqliteJournal : public CommittedJournal {
 
   absl::StatusOr<std::optional<ResultRecord>> Find(int64_t job, const TaskName& task) override;
   absl::StatusOr<std::vector<std::string>> Outputs(int64_t job) override;
+  absl::Status ReadAgain(int64_t job) override;
 
  private:
   GroupCommit& Writer() override { return *writer_; }
 
-  using Index = absl::flat_hash_map<NameBytes, int64_t>;
-
   absl::Status Prepare();
   absl::Status NextEpoch();
   absl::Status ReadJobs();
-  absl::Status ReadIndex();
   absl::Status ReadSetAside();
   // A result as it was put, and its content if that is inside.
   struct StoredResult {
@@ -65,6 +60,7 @@ class SqliteJournal : public CommittedJournal {
   absl::Status Insert(const NewResult& put);
   absl::Status Insert(const OldJob& job);
   absl::Status Insert(const SetAsideRecord& aside);
+  absl::Status Insert(const FalseResults& results);
   bool TidyUp();  // a little of it; false if there is nothing left to do
   void DeleteOldResults();
   void Shrink();
@@ -77,11 +73,9 @@ class SqliteJournal : public CommittedJournal {
       delete_content_, delete_job_, put_aside_, delete_aside_, free_pages_;
   absl::flat_hash_map<int64_t, std::vector<StoredResult>> pages_;  // read, by number / kPageRows
   std::deque<int64_t> pages_read_;                                 // the oldest first
-  std::mutex index_mutex_;
-  std::map<int64_t, Index> indexes_;               // of the jobs that are not over: number of the last row of each name
-  std::map<int64_t, std::vector<int64_t>> blobs_;  // of those: rows whose output is a blob
-  std::set<int64_t> running_;                      // jobs that are not over
-  int64_t last_number_ = 0;                        // of a row of `result`
+  SqliteResultIndex index_;                                        // of the jobs that are not over
+  std::set<int64_t> running_;                                      // those jobs
+  int64_t last_number_ = 0;                                        // of a row of `result`
   bool is_log_empty_ = true;
   bool has_old_results_ = true;          // perhaps
   int64_t tidy_from_ = 0;                // row
@@ -91,7 +85,7 @@ class SqliteJournal : public CommittedJournal {
 absl::Status SqliteJournal::Start() {
   TILEMEND_RETURN_IF_ERROR(Prepare());
   TILEMEND_RETURN_IF_ERROR(ReadJobs());
-  TILEMEND_RETURN_IF_ERROR(ReadIndex());
+  TILEMEND_ASSIGN_OR_RETURN(last_number_, index_.ReadAll(database_, running_));
   TILEMEND_RETURN_IF_ERROR(ReadSetAside());
   TILEMEND_RETURN_IF_ERROR(NextEpoch());
   writer_ = std::make_unique<GroupCommit>(
@@ -154,22 +148,6 @@ absl::Status SqliteJournal::ReadJobs() {
   }
 }
 
-absl::Status SqliteJournal::ReadIndex() {
-  TILEMEND_ASSIGN_OR_RETURN(SqliteStatement read,
-                            database_.Prepare("SELECT number, job, name, inside, length(output) FROM result"));
-  while (true) {
-    TILEMEND_ASSIGN_OR_RETURN(const bool is_there, read.Step());
-    if (!is_there) return absl::OkStatus();
-    last_number_ = read.Int(0);
-    if (!running_.contains(read.Int(1))) continue;
-    NameBytes name{};
-    // A name of another length is that of a damaged row, which nobody finds: its task is done again.
-    std::memcpy(name.data(), read.Bytes(2).data(), std::min(name.size(), read.Bytes(2).size()));
-    indexes_[read.Int(1)][name] = last_number_;
-    if (read.Int(3) == 0 && read.Int(4) > 0) blobs_[read.Int(1)].push_back(last_number_);
-  }
-}
-
 absl::Status SqliteJournal::ReadSetAside() {
   TILEMEND_ASSIGN_OR_RETURN(SqliteStatement read, database_.Prepare("SELECT worker, reason, sum FROM aside"));
   while (true) {
@@ -214,22 +192,13 @@ absl::Status SqliteJournal::ReadPage(int64_t page) {
 }
 
 absl::StatusOr<std::optional<ResultRecord>> SqliteJournal::Find(int64_t job, const TaskName& task) {
-  NameBytes name;
-  std::memcpy(name.data(), NameOf(task).data(), name.size());
-  int64_t number = 0;
-  {
-    std::lock_guard<std::mutex> lock(index_mutex_);  // which nobody holds while the disk is at work
-    const auto index = indexes_.find(job);
-    if (index == indexes_.end()) return std::nullopt;
-    const auto found = index->second.find(name);
-    if (found == index->second.end()) return std::nullopt;
-    number = found->second;
-  }
+  const std::optional<int64_t> number = index_.Find(job, task);  // which waits for no disk
+  if (!number) return std::nullopt;
   std::lock_guard<std::mutex> lock(database_mutex_);
-  TILEMEND_ASSIGN_OR_RETURN(const StoredResult* const stored, Read(number));
+  TILEMEND_ASSIGN_OR_RETURN(const StoredResult* const stored, Read(*number));
   const ResultRow& row = stored->row;
   ResultRecord result{static_cast<TaskState>(row.state), row.output, std::nullopt, row.error, {}};
-  if (!row.lost_workers.empty()) result.lost_workers = absl::StrSplit(row.lost_workers, '\n');
+  SetWorkers(row.lost_workers, result);
   if (row.inside == 0) return result;
   if (Sha256Hex(stored->content) != row.output) return Damaged(absl::StrCat("the output of result ", row.number));
   result.content = stored->content;
@@ -237,20 +206,21 @@ absl::StatusOr<std::optional<ResultRecord>> SqliteJournal::Find(int64_t job, con
 }
 
 absl::StatusOr<std::vector<std::string>> SqliteJournal::Outputs(int64_t job) {
-  std::vector<int64_t> numbers;
-  {
-    std::lock_guard<std::mutex> lock(index_mutex_);
-    const auto blobs = blobs_.find(job);
-    if (blobs == blobs_.end()) return std::vector<std::string>();
-    numbers = blobs->second;
-  }
   std::vector<std::string> outputs;
   std::lock_guard<std::mutex> lock(database_mutex_);
-  for (const int64_t number : numbers) {
+  for (const int64_t number : index_.BlobsOf(job)) {
     TILEMEND_ASSIGN_OR_RETURN(const StoredResult* const stored, Read(number));
     outputs.push_back(stored->row.output);
   }
   return outputs;
+}
+
+absl::Status SqliteJournal::ReadAgain(int64_t job) {
+  Await();
+  std::lock_guard<std::mutex> lock(database_mutex_);
+  pages_.clear();  // the last one may have had room
+  pages_read_.clear();
+  return index_.ReadJob(database_, job);
 }
 
 void SqliteJournal::Commit(const std::vector<JournalPut>& puts) {
@@ -269,11 +239,7 @@ void SqliteJournal::Commit(const std::vector<JournalPut>& puts) {
 absl::Status SqliteJournal::Insert(const JobRecord& job) {
   if (job.over) {
     running_.erase(job.number);
-    {
-      std::lock_guard<std::mutex> lock(index_mutex_);
-      indexes_.erase(job.number);
-      blobs_.erase(job.number);
-    }
+    index_.Forget(job.number);
     has_old_results_ = true;
     tidy_from_ = 0;
   } else {
@@ -294,7 +260,7 @@ absl::Status SqliteJournal::Insert(const NewResult& put) {
   const ResultRow row{++last_number_,   put.job,
                       NameOf(put.task), static_cast<int64_t>(result.state),
                       result.output,    result.content.has_value() ? 1 : 0,
-                      result.error,     absl::StrJoin(result.lost_workers, "\n")};
+                      result.error,     WorkersOf(result)};
   const std::string sum = row.Sum();
   TILEMEND_RETURN_IF_ERROR(put_result_->Bind(0, row.number)
                                .Bind(1, row.job)
@@ -308,6 +274,17 @@ absl::Status SqliteJournal::Insert(const NewResult& put) {
                                .Run());
   if (!result.content.has_value()) return absl::OkStatus();
   return put_content_->Bind(0, row.number).Bind(1, *result.content).Run();
+}
+
+absl::Status SqliteJournal::Insert(const FalseResults& results) {
+  constexpr char kWhich[] = "FROM result WHERE job = ? AND lost_workers = ? AND state = ?";
+  for (const std::string& sql : {absl::StrCat("DELETE FROM content WHERE result IN (SELECT number ", kWhich, ")"),
+                                 absl::StrCat("DELETE ", kWhich)}) {
+    TILEMEND_ASSIGN_OR_RETURN(SqliteStatement drop, database_.Prepare(sql));
+    drop.Bind(0, results.job).Bind(1, results.worker).Bind(2, static_cast<int64_t>(TaskState::kCommitted));
+    TILEMEND_RETURN_IF_ERROR(drop.Run());
+  }
+  return absl::OkStatus();
 }
 
 absl::Status SqliteJournal::Insert(const OldJob& job) { return delete_job_->Bind(0, job.number).Run(); }

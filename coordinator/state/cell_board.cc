@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "coordinator/state/job.h"
+
 namespace tilemend {
 namespace {
 
@@ -16,11 +18,13 @@ void CellBoard::RaiseTo(CellId cell, CellProgress progress) {
 }
 
 void CellBoard::TaskAdded(CellId cell, Stage stage) {
+  if (IsBackground(stage)) return;  // of files of several cells
   planned_ |= stage != Stage::kMeasure && stage != Stage::kSurvey && stage != Stage::kGround;
   RaiseTo(cell, stage == Stage::kFill ? CellProgress::kFilling : CellProgress::kWaiting);
 }
 
 void CellBoard::TaskSettled(CellId cell, Stage stage, const absl::Status& status) {
+  if (IsBackground(stage)) return;
   if (!status.ok()) {
     RaiseTo(cell, CellProgress::kFailed);
     if (failures_.size() < kMostCellFailures) failures_.push_back({cell, stage, std::string(status.message())});

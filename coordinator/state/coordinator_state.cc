@@ -7,6 +7,7 @@
 #include "absl/strings/str_join.h"
 #include "common/util/error_info.h"
 #include "common/util/status_macros.h"
+#include "coordinator/state/verdicts.h"
 
 namespace tilemend {
 namespace {
@@ -57,7 +58,10 @@ std::string_view JobStateName(JobState state) {
 CoordinatorState::CoordinatorState(const StateOptions& options) : options_(options) {}
 
 absl::StatusOr<Effects> CoordinatorState::Apply(const Event& event) {
-  return std::visit([this](const auto& e) { return On(e); }, event);
+  absl::StatusOr<Effects> effects = std::visit([this](const auto& e) { return On(e); }, event);
+  if (!effects.ok()) return effects;
+  RevokeOfConvicted(running_, jobs_, *effects);
+  return effects;
 }
 
 const Job* CoordinatorState::FindJob(const std::string& job) const {
@@ -89,17 +93,21 @@ absl::StatusOr<Job*> CoordinatorState::RunningJob(const std::string& id) {
   return &it->second;
 }
 
-void CoordinatorState::EndJob(Job& job, JobState state, absl::Time time, Effects& effects) {
+void CoordinatorState::DropTasks(Job& job, Effects& effects) {
   for (auto& [id, task] : job.tasks) {
     EndLeases(job, task);
   }
-  for (const auto& [worker, count] : job.refusals) effects.cleared.push_back(worker);
+  ForgetRefusals(job, effects);
   job.tasks.clear();
   std::vector<uint64_t>().swap(job.settled_by);
-  job.pending.clear();
+  job.pending = {};
+  job.given = {};
+}
+
+void CoordinatorState::EndJob(Job& job, JobState state, absl::Time time, Effects& effects) {
+  DropTasks(job, effects);
   job.times.clear();
-  job.doubted.clear();
-  job.refusals.clear();
+  JudgeDisproved(job, state, effects);
   job.counts.pending = 0;
   job.counts.leased = 0;
   job.state = state;
@@ -158,13 +166,14 @@ absl::StatusOr<Effects> CoordinatorState::On(const TasksAdded& event) {
     task.stage = spec.stage;
     task.input = spec.input;
     task.lost_workers = spec.lost_workers;
+    task.returned_by.insert(spec.avoid.begin(), spec.avoid.end());
     if (spec.known) {
       SettledTask settled = SettledAs(*spec.known);
       settled.known = true;
       EnterResult(*job, task, std::move(settled), effects);
       continue;
     }
-    job->pending.insert(id);
+    job->pending.Of(task.stage).insert(id);
     ++job->counts.pending;
   }
   ++job->version;
@@ -217,6 +226,20 @@ absl::StatusOr<Effects> CoordinatorState::On(const JobCancelled& event) {
   TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.job));
   Effects effects;
   EndJob(*job, JobState::kCancelled, event.time, effects);
+  return effects;
+}
+
+absl::StatusOr<Effects> CoordinatorState::On(const WorkerDisproved& event) {
+  TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.job));
+  return Disprove(options_.max_refusals, event, *job);
+}
+
+absl::StatusOr<Effects> CoordinatorState::On(const JobRedone& event) {
+  TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.job));
+  Effects effects;
+  DropTasks(*job, effects);
+  job->counts = job->counts.WithoutTasks();
+  ++job->version;
   return effects;
 }
 

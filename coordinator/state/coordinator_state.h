@@ -15,6 +15,10 @@
 //  - A task whose results were refused goes to another worker. It has failed when `max_refusals` workers gave a wrong
 //    result, when two gave the same, or when nobody is left who might do better (task_choice.h): then the fault is not
 //    theirs. If another does it well, the fault was theirs.
+//  - When a worker is convicted, all its results in jobs that are not over are revoked.
+//  - When an accepted result turns out to be wrong, its worker's results in that job are revoked.
+//    The worker gets no task until the job ends. If the job ends well, the worker is convicted.
+//    If this happens with `max_refusals` workers of one job, the fault is not theirs.
 //  - A job takes at most one worker away from the others before that is known: the first whose result it refuses. When
 //    it refuses those of a second, that speaks against the job, and both work on.
 //  - Deterministic: the same events in the same order give the same state and the same choices.
@@ -99,6 +103,8 @@ class CoordinatorState {
   Result On(const JobWarned& event);
   Result On(const JobSteered& event);
   Result On(const JobCancelled& event);
+  Result On(const WorkerDisproved& event);
+  Result On(const JobRedone& event);
   Result On(const JobFinished& event);
   Result On(const JobForgotten& event);
 
@@ -115,6 +121,8 @@ class CoordinatorState {
   void Settle(Job& job, Task& task, const std::string& worker, KnownResult result, Effects& effects);
   // Of one that is pending or leased no more. Forgets the task.
   void EnterResult(Job& job, Task& task, SettledTask settled, Effects& effects);
+  // Ends all leases and forgets all tasks and results of the job.
+  void DropTasks(Job& job, Effects& effects);
   void Insert(Job job);
   void LoseLease(Job& job, Task& task, const std::string& worker, Effects& effects);
   using TaskLoss = void (CoordinatorState::*)(Job& job, Task& task, const std::string& worker, Effects& effects);
@@ -126,12 +134,6 @@ class CoordinatorState {
   bool Fail(Task& task, const TaskFailed& event) const;
   // What a machine error means for the task and the worker; whether the task has failed by it.
   bool Return(Task& task, const TaskFailed& event);
-  // Puts a refusal down; whether the task has failed by it.
-  bool Refuse(Job& job, Task& task, const TaskFailed& event) const;
-  // Whom the refusal of one of the worker's results speaks against.
-  static void Suspect(const Job& job, const TaskFailed& event, Effects& effects);
-  // Who gave the wrong results of a task that is settled.
-  static void Judge(Job& job, Task& task, Effects& effects);
   absl::Duration PauseAfter(int32_t failures) const;
   void EndJob(Job& job, JobState state, absl::Time time, Effects& effects);
   // Of a job when it gets known here: above all that an earlier epoch can have reached.

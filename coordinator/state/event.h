@@ -33,6 +33,7 @@ struct KnownResult {
   TaskState state = TaskState::kCommitted;  // a settled one
   std::string output;                       // kCommitted: digest of the output blob
   absl::Status error;                       // kFailed, kQuarantined: why
+  std::string worker = {};                  // kCommitted: who gave it; "" if not known
 };
 
 struct TaskSpec {
@@ -41,6 +42,7 @@ struct TaskSpec {
   std::string input;                           // digest of the input blob
   std::optional<KnownResult> known = {};       // then it is settled as soon as it is added
   std::vector<std::string> lost_workers = {};  // in earlier processes, fewer than make a quarantine
+  std::vector<std::string> avoid = {};         // workers that get it only if no other may have it
 };
 
 struct TasksAdded {
@@ -146,6 +148,19 @@ struct JobForgotten {
   std::string job;
 };
 
+// An accepted result of the worker is wrong.
+struct WorkerDisproved {
+  std::string job;
+  std::string worker;
+  std::string reason;    // for people
+  bool another = false;  // another worker may have tasks of the job
+};
+
+// The job begins again from its first task, after results of it were revoked.
+struct JobRedone {
+  std::string job;
+};
+
 // `state` is kDone, kPartial or kFailed. kDone becomes kPartial if tasks were quarantined.
 struct JobFinished {
   std::string job;
@@ -155,7 +170,7 @@ struct JobFinished {
 
 using Event = std::variant<JobCreated, JobRestored, TasksAdded, WorkerSeen, TaskLeased, LeaseRenewed, TaskCompleted,
                            TaskFailed, TaskAbandoned, LeaseExpired, WorkerLost, WorkerLeft, JobProgressed, JobWarned,
-                           JobSteered, JobCancelled, JobFinished, JobForgotten>;
+                           JobSteered, JobCancelled, WorkerDisproved, JobRedone, JobFinished, JobForgotten>;
 
 // A task that an event brought to its end. Every task of a job that is not cut short is settled exactly once.
 struct SettledTask {
@@ -165,6 +180,7 @@ struct SettledTask {
   std::string input;  // digest
   TaskState state = TaskState::kCommitted;
   std::string output;    // kCommitted: digest
+  std::string worker;    // kCommitted: who gave it; "" if not known
   absl::Status error;    // kFailed, kQuarantined (kAborted, QUARANTINED): why
   bool known = false;    // the result is of an earlier process
   absl::Time leased_at;  // of the attempt that settled it, unless known
@@ -176,6 +192,7 @@ inline SettledTask SettledAs(KnownResult result) {
   settled.state = result.state;
   settled.output = std::move(result.output);
   settled.error = std::move(result.error);
+  settled.worker = std::move(result.worker);
   return settled;
 }
 
@@ -204,6 +221,13 @@ struct Contradicted {
   std::string by;      // who did it
 };
 
+// All results of a worker in a job. They are to be computed again.
+struct Revoked {
+  std::string job;
+  std::string worker;
+  std::vector<int64_t> tasks;  // ids; may be empty
+};
+
 // What an event led to.
 struct Effects {
   std::vector<SettledTask> settled;
@@ -218,6 +242,9 @@ struct Effects {
   // Who is suspected no more, unless it was convicted: what it was suspected of was the job's fault, or is of no
   // interest any more.
   std::vector<std::string> cleared;
+  // Results of workers that were convicted or disproved, in jobs that are not over. The job is to begin again without
+  // them (JobRedone).
+  std::vector<Revoked> revoked;
 };
 
 }  // namespace tilemend

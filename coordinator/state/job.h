@@ -14,6 +14,7 @@
 #include "absl/time/time.h"
 #include "common/grid/scene.h"
 #include "common/util/stage.h"
+#include "coordinator/state/given_results.h"
 
 namespace tilemend {
 
@@ -100,6 +101,9 @@ struct TaskKey {
 
 inline constexpr size_t kMostWarnings = 20;
 
+// Whether tasks of a stage are given out only after all other pending tasks of their job.
+inline bool IsBackground(Stage stage) { return stage == Stage::kVerify; }
+
 struct TaskCounts {
   int64_t added = 0;
   int64_t pending = 0, leased = 0, committed = 0, failed = 0, quarantined = 0;  // sum is `added` while the job runs
@@ -107,6 +111,8 @@ struct TaskCounts {
   int64_t doubled = 0;       // second attempts beside one that took long
   int64_t refused_late = 0;  // results of attempts that had been given up
   int64_t settled() const { return committed + failed + quarantined; }
+  // Of a job that begins again.
+  TaskCounts WithoutTasks() const { return {.retried = retried, .doubled = doubled, .refused_late = refused_late}; }
   bool operator==(const TaskCounts&) const = default;
 };
 
@@ -114,6 +120,27 @@ struct TaskCounts {
 struct StageTime {
   int64_t tasks = 0;
   absl::Duration total;
+};
+
+// Why an accepted result is wrong.
+struct Disproof {
+  std::string reason;         // for people
+  bool others_do_it = false;  // other workers compute the results again
+};
+
+// What speaks against workers of a job.
+struct Doubts {
+  std::set<int64_t> tasks;                    // ids of those that are not settled and have refusals
+  std::map<std::string, int64_t> refusals;    // how many of those each worker has
+  std::map<std::string, Disproof> disproved;  // by worker
+};
+
+// Ids of the tasks in state kPending.
+struct PendingTasks {
+  std::set<int64_t> first, background;  // the second: those of IsBackground
+
+  std::set<int64_t>& Of(Stage stage) { return IsBackground(stage) ? background : first; }
+  size_t size() const { return first.size() + background.size(); }
 };
 
 struct Job {
@@ -133,11 +160,11 @@ struct Job {
   std::map<int64_t, Task> tasks;  // that are not settled; none when the job is over
   // By id - 1, of the tasks that are settled: MarkOf the attempt whose report did so, else 0.
   std::vector<uint64_t> settled_by;
-  std::set<int64_t> pending;                       // ids of the tasks in state kPending
+  PendingTasks pending;
   std::set<std::pair<absl::Time, int64_t>> alone;  // tasks with one lease, since when
-  std::set<int64_t> doubted;                       // ids of the tasks that are not settled and have refusals
-  std::map<std::string, int64_t> refusals;         // how many of those each worker has
+  Doubts doubts;
   std::map<Stage, StageTime> times;
+  GivenResults given;  // the results that were accepted
 };
 
 struct WorkerRecord {

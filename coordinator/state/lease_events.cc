@@ -7,6 +7,7 @@
 #include "common/util/error_info.h"
 #include "common/util/status_macros.h"
 #include "coordinator/state/coordinator_state.h"
+#include "coordinator/state/verdicts.h"
 
 namespace tilemend {
 namespace {
@@ -80,7 +81,7 @@ void CoordinatorState::GiveUp(Job& job, Task& task, const std::string& worker, E
   if (!task.leases.empty()) return;
   task.state = TaskState::kPending;
   --job.counts.leased;
-  job.pending.insert(task.id);
+  job.pending.Of(task.stage).insert(task.id);
   ++job.counts.pending;
   ++job.counts.retried;
   effects.retried.push_back(task.stage);
@@ -94,6 +95,7 @@ void CoordinatorState::Settle(Job& job, Task& task, const std::string& worker, K
     job.settled_by.resize(std::max<size_t>(job.settled_by.size(), static_cast<size_t>(task.id)));
     job.settled_by[static_cast<size_t>(task.id) - 1] = MarkOf(worker, lease.token);
   }
+  if (result.state == TaskState::kCommitted) result.worker = worker;
   SettledTask settled = SettledAs(std::move(result));
   settled.leased_at = lease.since;
   EnterResult(job, task, std::move(settled), effects);
@@ -106,7 +108,8 @@ void CoordinatorState::EnterResult(Job& job, Task& task, SettledTask settled, Ef
   ++count;
   ++job.version;
   task.state = settled.state;
-  Judge(job, task, effects);
+  if (!settled.worker.empty()) job.given.Put(task.id, settled.worker);
+  JudgeRefusals(job, task, effects);
   settled.key = {job.id, task.id};
   settled.cell = task.cell;
   settled.stage = task.stage;
@@ -147,7 +150,7 @@ absl::StatusOr<Effects> CoordinatorState::On(const TaskLeased& event) {
     job->alone.erase({task.leases.front().since, task.id});
   } else {
     task.state = TaskState::kLeased;
-    job->pending.erase(task.id);
+    job->pending.Of(task.stage).erase(task.id);
     --job->counts.pending;
     ++job->counts.leased;
     job->alone.insert({event.time, task.id});
@@ -191,7 +194,7 @@ absl::StatusOr<Effects> CoordinatorState::On(const TaskFailed& event) {
   if (task == nullptr) return effects;
   Job& job = jobs_.at(event.key.job);
   const bool is_refused = !event.refused.empty();
-  const bool has_failed = is_refused      ? Refuse(job, *task, event)
+  const bool has_failed = is_refused      ? AddRefusal(options_.max_refusals, event, job, *task)
                           : event.machine ? Return(*task, event)
                                           : Fail(*task, event);
   if (has_failed) {
@@ -199,7 +202,7 @@ absl::StatusOr<Effects> CoordinatorState::On(const TaskFailed& event) {
     Settle(job, *task, event.worker, {TaskState::kFailed, "", error}, effects);
   } else {
     GiveUp(job, *task, event.worker, effects);
-    if (is_refused) Suspect(job, event, effects);
+    if (is_refused) SuspectRefused(job, event, effects);
   }
   return effects;
 }
@@ -230,40 +233,6 @@ absl::Duration CoordinatorState::PauseAfter(int32_t failures) const {
                   options_.first_pause * (int64_t{1} << std::min(failures - 1, kMostDoublings)));
 }
 
-bool CoordinatorState::Refuse(Job& job, Task& task, const TaskFailed& event) const {
-  const bool agreed = std::any_of(task.refused.begin(), task.refused.end(), [&](const auto& refused) {
-    return refused.first != event.worker && refused.second.digest == event.refused;
-  });
-  const bool is_new =
-      task.refused.insert_or_assign(event.worker, Refusal{event.refused, std::string(event.error.message())}).second;
-  if (is_new) ++job.refusals[event.worker];
-  task.refused_at = event.time;
-  job.doubted.insert(task.id);
-  return agreed || static_cast<int32_t>(task.refused.size()) >= options_.max_refusals;
-}
-
-void CoordinatorState::Suspect(const Job& job, const TaskFailed& event, Effects& effects) {
-  for (const auto& [worker, count] : job.refusals) {
-    if (worker != event.worker) effects.cleared.push_back(worker);
-  }
-  // Without another to try it there is nothing to be had by taking this one away.
-  if (effects.cleared.empty() && event.another) {
-    effects.suspected.push_back({event.worker, std::string(event.error.message())});
-  }
-}
-
-void CoordinatorState::Judge(Job& job, Task& task, Effects& effects) {
-  job.doubted.erase(task.id);
-  for (auto& [worker, refusal] : std::exchange(task.refused, {})) {
-    if (const auto count = job.refusals.find(worker); --count->second == 0) job.refusals.erase(count);
-    if (task.state == TaskState::kCommitted) {
-      effects.convicted.push_back({worker, std::move(refusal.reason)});
-    } else {
-      effects.cleared.push_back(worker);
-    }
-  }
-}
-
 absl::StatusOr<Effects> CoordinatorState::On(const TaskAbandoned& event) {
   TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.key.job));
   const auto found = job->tasks.find(event.key.task);
@@ -272,7 +241,7 @@ absl::StatusOr<Effects> CoordinatorState::On(const TaskAbandoned& event) {
         absl::StrCat("jobs/", job->id, " task ", event.key.task, ": nothing was refused"));
   }
   Effects effects;
-  job->pending.erase(event.key.task);
+  job->pending.Of(found->second.stage).erase(event.key.task);
   --job->counts.pending;
   const absl::Status error = Refused(found->second, "; there is no other worker to try it");
   EnterResult(*job, found->second, SettledAs({TaskState::kFailed, "", error}), effects);

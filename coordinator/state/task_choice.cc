@@ -35,8 +35,8 @@ class TaskChooser {
     std::vector<Share> shares;
     for (const auto& [number, id] : state_.running()) {
       const Job& job = *state_.FindJob(id);
-      if (!job.pending.empty() && !job.paused && may_(worker_.id, id))
-        shares.push_back({&job, job.pending.begin(), job.counts.leased});
+      if (job.counts.pending > 0 && !job.paused && may_(worker_.id, id))
+        shares.push_back({&job, &job.pending.first, job.pending.first.begin(), job.counts.leased});
     }
     while (chosen_.size() < free_ && !shares.empty()) {
       const auto first = std::min_element(shares.begin(), shares.end());
@@ -50,6 +50,7 @@ class TaskChooser {
  private:
   struct Share {
     const Job* job;
+    const std::set<int64_t>* queue;
     std::set<int64_t>::const_iterator next;
     int64_t leases;
 
@@ -82,8 +83,13 @@ class TaskChooser {
   // Chooses the share's next task; false if it has none.
   bool TakeNext(Share& share) {
     const Job& job = *share.job;
-    while (share.next != job.pending.end() && !MayHave(job, job.tasks.at(*share.next))) ++share.next;
-    if (share.next == job.pending.end()) return false;
+    while (share.next != share.queue->end() && !MayHave(job, job.tasks.at(*share.next))) ++share.next;
+    if (share.next == share.queue->end()) {
+      if (share.queue == &job.pending.background) return false;
+      share.queue = &job.pending.background;
+      share.next = share.queue->begin();
+      return TakeNext(share);
+    }
     if (!IsLastChance(job.tasks.at(*share.next))) {
       chosen_.push_back({job.id, *share.next++});
       ++share.leases;
@@ -103,7 +109,7 @@ class TaskChooser {
     for (const auto& [id, other] : state_.workers()) {
       if (id != worker_.id && !other.draining) others += other.threads + other.prefetch;
     }
-    for (const Share& share : shares) pending += share.job->pending.size();
+    for (const Share& share : shares) pending += static_cast<size_t>(share.job->counts.pending);
     const size_t most = worker_.threads + worker_.prefetch;
     while (worker_.held.size() + chosen_.size() < most && chosen_.size() + others < pending && !shares.empty()) {
       const auto first = std::min_element(shares.begin(), shares.end());
@@ -167,9 +173,19 @@ bool HasAnother(const CoordinatorState& state, const std::string& worker, const 
   });
 }
 
-std::vector<Event> Overdue(const CoordinatorState& state, absl::Time now, absl::Duration silence) {
+bool HasOtherWorker(const CoordinatorState& state, const std::string& worker, const std::string& job,
+                    const MayWork& may) {
+  return std::any_of(state.workers().begin(), state.workers().end(), [&](const auto& entry) {
+    const auto& [id, other] = entry;
+    return id != worker && other.threads > 0 && !other.draining && may(id, job);
+  });
+}
+
+std::vector<Event> Overdue(const CoordinatorState& state, absl::Time now, absl::Duration silence,
+                           const std::set<std::string>& heard) {
   std::vector<Event> events;
   for (const auto& [id, worker] : state.workers()) {
+    if (heard.contains(id)) continue;
     if (worker.last_seen + silence < now) {
       events.emplace_back(WorkerLost{id});
       continue;
@@ -191,7 +207,7 @@ std::vector<Event> Abandoned(const CoordinatorState& state, absl::Time now, cons
   std::vector<Event> events;
   for (const auto& [number, id] : state.running()) {
     const Job& job = *state.FindJob(id);
-    for (const int64_t task_id : job.doubted) {
+    for (const int64_t task_id : job.doubts.tasks) {
       const Task& task = job.tasks.at(task_id);
       const bool waits = now < task.refused_at + state.options().wait_for_another;
       if (task.state != TaskState::kPending || waits) continue;

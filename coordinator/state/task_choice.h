@@ -3,6 +3,7 @@
 #define TILEMEND_COORDINATOR_STATE_TASK_CHOICE_H_
 
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,11 @@ bool MayAlways(const std::string& worker, const std::string& job);
 // The tasks to lease to `worker` now, at most as many as it has free threads, and of those that it would prefetch as
 // long as more wait than all other workers together can hold. The next task is of the
 // job with the highest priority; of those with the same, which share alike, of the one that has the fewest leases, the
-// older one if two have as many; within a job it is the first that the pipeline added. None of a paused job. Empty for
-// an unknown, draining or resting worker. Only of jobs that it `may` work on, and no task of which its result was
-// refused, that is to wait, or that it gave back while another worker may have it that did not. If there is none:
-// second attempts at tasks that take long, the oldest of each job first. Deterministic. Cost: O(jobs + pending tasks
-// that the worker may not have).
+// older one if two have as many; within a job it is the first that the pipeline added, background tasks after all
+// others. None of a paused job. Empty for an unknown, draining or resting worker. Only of jobs that it `may` work on,
+// and no task of which its result was refused, that is to wait, or that it gave back while another worker may have it
+// that did not. If there is none: second attempts at tasks that take long, the oldest of each job first. Deterministic.
+// Cost: O(jobs + pending tasks that the worker may not have).
 std::vector<TaskKey> ChooseTasks(const CoordinatorState& state, const std::string& worker, absl::Time now,
                                  const MayWork& may = MayAlways);
 
@@ -30,8 +31,14 @@ std::vector<TaskKey> ChooseTasks(const CoordinatorState& state, const std::strin
 bool HasAnother(const CoordinatorState& state, const std::string& worker, const Job& job, const Task& task,
                 const MayWork& may);
 
-// Events for what is overdue at `now`: workers not seen for `silence`, then leases beyond their deadline.
-std::vector<Event> Overdue(const CoordinatorState& state, absl::Time now, absl::Duration silence);
+// Whether a worker other than `worker` may have tasks of the job.
+bool HasOtherWorker(const CoordinatorState& state, const std::string& worker, const std::string& job,
+                    const MayWork& may);
+
+// Events for what is overdue at `now`: workers not seen for `silence`, then leases beyond their deadline. Leaves out
+// the workers in `heard`: they wait for an answer of the coordinator.
+std::vector<Event> Overdue(const CoordinatorState& state, absl::Time now, absl::Duration silence,
+                           const std::set<std::string>& heard = {});
 
 // Events for tasks of which results were refused, the last one `wait_for_another` ago, and that no worker may have.
 std::vector<Event> Abandoned(const CoordinatorState& state, absl::Time now, const MayWork& may);

@@ -51,6 +51,10 @@ absl::Status AttemptFolder::Check(const std::string& attempts, const AttemptFile
       absl::StrCat("the file for ", file.path, " has ", size, " bytes, and should have ", file.bytes));
 }
 
+void AttemptFolder::Discard(const std::string& attempts, const std::string& name) {
+  if (IsAttemptName(name)) RemoveFile(absl::StrCat(attempts, "/", name)).IgnoreError();
+}
+
 absl::Status AttemptFolder::Place(const AttemptFile& file, const std::string& output) const {
   if (!IsAttemptName(file.attempt)) return absl::InvalidArgumentError("a file under a name that no attempt has");
   const std::string from = absl::StrCat(path_, "/", file.attempt), to = absl::StrCat(output, "/", file.path);

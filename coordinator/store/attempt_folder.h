@@ -36,6 +36,9 @@ class AttemptFolder {
   // there or has another size, kUnavailable if this machine does not see the folder itself.
   static absl::Status Check(const std::string& attempts, const AttemptFile& file);
 
+  // Removes a file that nobody needs. Nothing for a name that no attempt has.
+  static void Discard(const std::string& attempts, const std::string& name);
+
   // Gives the file its final name in `output`. One that is gone from a folder that still has its key, while a file of
   // its size has its final name, was placed by an earlier process. Else kUnavailable.
   absl::Status Place(const AttemptFile& file, const std::string& output) const;

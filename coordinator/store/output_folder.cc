@@ -275,7 +275,6 @@ OutputFolder::OutputFolder(OutputFolder&& other) noexcept
       keep_(other.keep_),
       wrote_(other.wrote_),
       leaves_files_(other.leaves_files_),
-      read_(other.read_),
       attempts_(std::exchange(other.attempts_, std::nullopt)) {}
 
 OutputFolder::~OutputFolder() {
@@ -334,7 +333,7 @@ absl::Status OutputFolder::Keep(const AttemptFile& file) {
   if (own == files_.end()) {
     return absl::InvalidArgumentError(absl::StrCat(Printable(file.path), ": no file of this output"));
   }
-  own->second = {file.bytes, file.digest, read_ ? "" : YoungStampOf(absl::StrCat(path_, "/", file.path))};
+  own->second = {file.bytes, file.digest, YoungStampOf(absl::StrCat(path_, "/", file.path))};
   return absl::OkStatus();
 }
 

@@ -58,8 +58,6 @@ class OutputFolder {
   absl::Status Place(const AttemptFile& file);
   // The file is there already, as it is to be. Errors as Place.
   absl::Status Keep(const AttemptFile& file);
-  // SeeAll is to read what is placed: it may have been changed while no coordinator ran.
-  void ReadAtTheEnd() { read_ = true; }
   // Whether a complete output lies there.
   bool has_report() const;
   // Where results are kept for the jobs that come after (ResultLog). Stays when the job ends, however it ends.
@@ -94,7 +92,6 @@ class OutputFolder {
   bool keep_ = false;                    // the marker is to stay
   bool wrote_ = false;                   // this process
   bool leaves_files_ = false;
-  bool read_ = false;                      // what is placed is to be read before the end
   std::optional<AttemptFolder> attempts_;  // while the folder is claimed
 };
 

@@ -93,11 +93,11 @@ std::array<char, 16> NameOf(const std::string& key) {
 
 }  // namespace
 
-absl::StatusOr<ResultLog> ResultLog::Open(const std::string& path, bool resumed) {
+absl::StatusOr<ResultLog> ResultLog::Open(const std::string& path, Opening how) {
   const int fd = OpenKept(path, O_RDWR | O_CLOEXEC | O_NOFOLLOW);
   if (fd < 0 && errno != ENOENT) return LogError(path, "cannot open what earlier jobs left for this one");
   ResultLog log(path, fd);
-  if (fd >= 0) TILEMEND_RETURN_IF_ERROR(log.Scan(resumed));
+  if (fd >= 0) TILEMEND_RETURN_IF_ERROR(log.Scan(how));
   return log;
 }
 
@@ -115,13 +115,15 @@ ResultLog::~ResultLog() {
   if (fd_ >= 0) ::close(fd_);
 }
 
-absl::Status ResultLog::Scan(bool resumed) {
+absl::Status ResultLog::Scan(Opening how) {
   std::string head(kHead.size(), '\0');
   if (!ReadAt(fd_, head.data(), head.size(), 0) || head != kHead) return absl::OkStatus();
   end_ = static_cast<int64_t>(kHead.size());
+  int64_t begin = end_;  // of what the last job has put
   while (const auto record = ReadHead(end_)) {
     if (record->begins != 0) {
-      begun_ = resumed;
+      begun_ = how != Opening::kNewJob;
+      begin = end_ + record->size();
       for (auto& [name, place] : own_) earlier_[name] = place;
       own_.clear();
     } else {
@@ -129,7 +131,12 @@ absl::Status ResultLog::Scan(bool resumed) {
     }
     end_ += record->size();
   }
-  if (resumed) return absl::OkStatus();
+  if (how == Opening::kSameJob) return absl::OkStatus();
+  if (how == Opening::kSameJobAnew) {
+    own_.clear();
+    end_ = begin;
+    return ::ftruncate(fd_, end_) == 0 ? absl::OkStatus() : LogError(path_, "cannot shorten it");
+  }
   for (auto& [name, place] : own_) earlier_[name] = place;
   own_.clear();
   return earlier_.empty() ? absl::OkStatus() : Append({}, "", true);

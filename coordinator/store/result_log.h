@@ -22,15 +22,20 @@ namespace tilemend {
 // coordinator sees the same as before, and asks the same of its workers. Memory: 8 bytes for each result that is put,
 // 80 for each that was there before.
 //
-//   TILEMEND_ASSIGN_OR_RETURN(ResultLog log, ResultLog::Open(path, /*resumed=*/false));
+//   TILEMEND_ASSIGN_OR_RETURN(ResultLog log, ResultLog::Open(path, ResultLog::Opening::kNewJob));
 //   if (const auto result = log.Find(key)) ...;
 //   TILEMEND_RETURN_IF_ERROR(log.Put(key, bytes));
 //   TILEMEND_RETURN_IF_ERROR(log.KeepUsed());
 class ResultLog {
  public:
+  enum class Opening {
+    kNewJob,
+    kSameJob,      // the last job there is this one
+    kSameJobAnew,  // likewise; what it has put is forgotten
+  };
   // Goes on with the file `path`, which appears with the first result. A file that is no log of this release is
-  // replaced then. `resumed`: the last job there is this one. One process at a time. kPermissionDenied, kUnavailable.
-  static absl::StatusOr<ResultLog> Open(const std::string& path, bool resumed);
+  // replaced then. One process at a time. kPermissionDenied, kUnavailable.
+  static absl::StatusOr<ResultLog> Open(const std::string& path, Opening how);
   ResultLog(ResultLog&& other) noexcept;
   ResultLog& operator=(ResultLog&&) = delete;
   ~ResultLog();
@@ -53,7 +58,7 @@ class ResultLog {
   struct Record;
 
   ResultLog(std::string path, int fd) : path_(std::move(path)), fd_(fd) {}
-  absl::Status Scan(bool resumed);
+  absl::Status Scan(Opening how);
   // Of the file as it is: none if it is not whole.
   std::optional<Record> ReadHead(int64_t offset) const;
   std::optional<std::string> ReadResult(int64_t offset) const;

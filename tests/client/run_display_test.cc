@@ -30,6 +30,7 @@ TEST(StageTextTest, StagesAreInWordsOfTheUser) {
   EXPECT_EQ(StageText(JobIn("sample layer 2 of 3")), "fit the surface");
   EXPECT_EQ(StageText(JobIn("fill")), "fill the holes, 12 of 85 holes");
   EXPECT_EQ(StageText(JobIn("assemble")), "write the tiles, 7 of 30 cells");
+  EXPECT_EQ(StageText(JobIn("verify")), "verify the tiles");
   EXPECT_EQ(StageText(JobIn("a new phase")), "a new phase");
 }
 

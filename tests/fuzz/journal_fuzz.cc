@@ -53,22 +53,23 @@ void TryStatus(const std::string& bytes) {
 // Whatever the file: what is found is what was put, and what is put is found.
 void TryLog(const std::string& bytes) {
   Require(WriteFileAtomically(LogPath(), bytes, Sync::kNo).ok());
-  for (const bool resumed : {false, true}) {
-    auto log = ResultLog::Open(LogPath(), resumed);
+  using Opening = ResultLog::Opening;
+  for (const Opening how : {Opening::kNewJob, Opening::kSameJob, Opening::kSameJobAnew}) {
+    auto log = ResultLog::Open(LogPath(), how);
     Require(log.ok());
     if (const auto result = log->Find(kKey)) Require(*result == "first" || *result == "second");
     Require(log->Put(kOther, "new").ok());
   }
-  auto log = ResultLog::Open(LogPath(), false);
+  auto log = ResultLog::Open(LogPath(), ResultLog::Opening::kNewJob);
   Require(log.ok() && log->Find(kOther) == "new" && log->KeepUsed().ok());
-  Require(ResultLog::Open(LogPath(), false)->Find(kOther) == "new");
+  Require(ResultLog::Open(LogPath(), ResultLog::Opening::kNewJob)->Find(kOther) == "new");
   std::filesystem::remove(LogPath());
 }
 
 std::string Log() {
   std::filesystem::remove(LogPath());
   for (const char* result : {"first", "second"}) {
-    auto log = ResultLog::Open(LogPath(), false);
+    auto log = ResultLog::Open(LogPath(), ResultLog::Opening::kNewJob);
     Require(log.ok() && log->Put(kKey, result).ok());
   }
   return ReadFile(LogPath()).value();

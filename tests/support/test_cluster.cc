@@ -40,6 +40,7 @@ void TestCluster::StartCoordinator() {
   options.lease = kLease;
   options.state = options_.state;
   options.check_result = options_.check_result;
+  options.attempts_of = options_.attempts_of;
   options.max_running_jobs = options_.max_running_jobs;
   options.most_sent = options_.most_sent;
   options.log = options_.log;

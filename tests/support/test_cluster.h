@@ -61,6 +61,7 @@ struct ClusterOptions {
   StateOptions state;
   size_t max_running_jobs = 64;
   ResultCheck check_result;
+  AttemptsOf attempts_of;
   int64_t most_sent = CoordinatorOptions().most_sent;
   Log* log = Log::Null();   // of the coordinator; outlives the cluster
   bool fake_clock = false;  // leases then run out only through clock() and Tick()

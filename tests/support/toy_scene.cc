@@ -6,9 +6,13 @@
 
 namespace tilemend {
 
-PipelineFactory ScenePipelineFactory(std::string, TileCheck) { return ToyPipelineFactory(); }  // NOLINT: as declared
+PipelineFactory ScenePipelineFactory(std::string, VerifiedShares) {
+  return ToyPipelineFactory();
+}  // NOLINT: as declared
 
 ResultCheck SceneResultCheck(TileCheck) { return {}; }
+
+std::vector<std::string> AttemptsOfScene(Stage, const std::string&) { return {}; }
 
 StageRunner SceneStageRunner(int64_t) { return ToyStageRunner(); }
 

@@ -23,8 +23,9 @@ class UntrustedWorkerTest : public ::testing::Test {
 
   static ClusterOptions Options() {
     ClusterOptions options;
-    options.factory = ScenePipelineFactory();
+    options.factory = ScenePipelineFactory("", {.files = 1});
     options.check_result = SceneResultCheck(TileCheck::kContent);
+    options.attempts_of = AttemptsOfScene;
     return options;
   }
   static std::string Out(const v1::Job& job) { return job.spec().out(); }

@@ -6,7 +6,9 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "common/rpc/receipt_payloads.h"
 #include "common/store/digest.h"
+#include "common/store/file_receipt.h"
 #include "common/store/fingerprint.h"
 #include "common/util/cores.h"
 #include "common/util/error_info.h"
@@ -28,6 +30,12 @@ absl::Status OfThisMachine(const absl::Status& status) {
   return WithErrorInfo(absl::UnavailableError(status.message()), {"FOLDER_NOT_SEEN", {}});
 }
 
+// Whether these are two names of one file, as a hard link is.
+bool IsSameFile(const std::string& a, const std::string& b) {
+  const auto first = ReceiptOf(a), second = ReceiptOf(b);
+  return first.ok() && second.ok() && *first == *second;
+}
+
 }  // namespace
 
 AttemptFiles::AttemptFiles(std::string attempts, std::string output)
@@ -35,6 +43,12 @@ AttemptFiles::AttemptFiles(std::string attempts, std::string output)
 
 AttemptFiles::~AttemptFiles() {
   for (const v1::WrittenFile& file : files_) RemoveFile(PathOf(file)).IgnoreError();
+}
+
+void AttemptFiles::Remove(const std::string& attempts, const v1::AssembleOutput& output) {
+  for (const v1::WrittenFile& file : output.files()) {
+    RemoveFile(absl::StrCat(attempts, "/", file.attempt())).IgnoreError();
+  }
 }
 
 v1::WrittenFile AttemptFiles::NewFile(const std::string& path) const {
@@ -48,6 +62,14 @@ std::string AttemptFiles::PathOf(const v1::WrittenFile& file) const {
   return absl::StrCat(attempts_, "/", file.attempt());
 }
 
+absl::Status AttemptFiles::Add(v1::WrittenFile file) {
+  const auto receipt = ReceiptOf(PathOf(file));
+  if (!receipt.ok()) return OfThisMachine(receipt.status());
+  *file.mutable_receipt() = ToProto(*receipt);
+  files_.push_back(std::move(file));
+  return absl::OkStatus();
+}
+
 absl::Status AttemptFiles::Write(const std::string& path, std::string_view bytes) {
   v1::WrittenFile file = NewFile(path);
   {
@@ -56,8 +78,7 @@ absl::Status AttemptFiles::Write(const std::string& path, std::string_view bytes
   }
   file.set_bytes(static_cast<int64_t>(bytes.size()));
   file.set_digest(FileDigest(bytes));
-  files_.push_back(std::move(file));
-  return absl::OkStatus();
+  return Add(std::move(file));
 }
 
 absl::Status AttemptFiles::Carry(const std::string& from, const std::string& path, ::tilemend::Carry how,
@@ -74,14 +95,20 @@ absl::Status AttemptFiles::Carry(const std::string& from, const std::string& pat
     return CanWriteIn(attempts_) ? size.status() : OfThisMachine(size.status());
   }
   file.set_bytes(*size);
+  file.set_carried(true);
   file.set_digest(digest);
-  files_.push_back(std::move(file));
+  TILEMEND_RETURN_IF_ERROR(Add(std::move(file)));
+  if (!digest.empty() || IsSameFile(from, PathOf(files_.back()))) return absl::OkStatus();
+  const LentCore lent;
+  TILEMEND_ASSIGN_OR_RETURN(*files_.back().mutable_digest(), DigestOfFile(PathOf(files_.back())));
   return absl::OkStatus();
 }
 
 bool AttemptFiles::LastHas(const std::string& digest) const {
+  if (files_.empty()) return false;
+  if (files_.back().digest() == digest) return true;
   const LentCore lent;
-  return !files_.empty() && FileHasDigest(PathOf(files_.back()), digest).value_or(false);
+  return FileHasDigest(PathOf(files_.back()), digest).value_or(false);
 }
 
 std::vector<v1::WrittenFile> AttemptFiles::Keep() {

@@ -27,6 +27,9 @@ class AttemptFiles {
   AttemptFiles(const AttemptFiles&) = delete;
   AttemptFiles& operator=(const AttemptFiles&) = delete;
 
+  // Files of an attempt that were kept, and that nobody wants after all.
+  static void Remove(const std::string& attempts, const v1::AssembleOutput& output);
+
   // A file with these bytes, that is to go to `path` of the output.
   absl::Status Write(const std::string& path, std::string_view bytes);
   // A file as `from`. kInvalidArgument if `path` of the output is that file itself. `digest` is its FileDigest if that
@@ -37,10 +40,13 @@ class AttemptFiles {
   // Whether the file that was carried last has this FileDigest. Cost: reads it.
   bool LastHas(const std::string& digest) const;
 
-  // What was written, the last first. The coordinator sees to the files from now on.
+  // What was written, the last first; each with its receipt, and with its digest unless it is a hard link. The
+  // coordinator sees to the files from now on.
   std::vector<v1::WrittenFile> Keep();
 
  private:
+  // A file that is on the disk, with what the store says of it.
+  absl::Status Add(v1::WrittenFile file);
   v1::WrittenFile NewFile(const std::string& path) const;
   std::string PathOf(const v1::WrittenFile& file) const;
 

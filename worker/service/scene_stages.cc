@@ -44,6 +44,7 @@
 #include "worker/service/task_memory.h"
 #include "worker/service/texture_stage.h"
 #include "worker/service/tile_reading.h"
+#include "worker/service/verify_stage.h"
 
 namespace tilemend {
 namespace {
@@ -340,7 +341,10 @@ bool IsThere(const v1::AssembleInput& input, const v1::WrittenFile& file) {
   const std::string path = absl::StrCat(input.output_root(), "/", file.path());
   const auto look = LookAt(path, Links::kKeep);
   if (!look.ok() || look->kind != PathKind::kFile) return false;
-  if (file.digest().empty()) return HaveSameContent(absl::StrCat(input.tile().root(), "/", file.path()), path);
+  // What a task's input says of a tile tells its digest; of other files that are carried it does not.
+  if (file.carried() && file.path() != input.output()) {
+    return HaveSameContent(absl::StrCat(input.tile().root(), "/", file.path()), path);
+  }
   return FileHasDigest(path, file.digest()).value_or(false);
 }
 
@@ -408,16 +412,34 @@ absl::StatusOr<std::string> RunStage(Stage stage, const std::string& bytes, cons
       TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::AssembleInput>(bytes));
       return RunAssemble(input, cancel, memory);
     }
+    case Stage::kVerify:
+      break;
   }
   return absl::InvalidArgumentError("unknown stage");
 }
 
+absl::StatusOr<std::string> VerifyOrRun(Stage stage, const std::string& bytes, const CancelToken& cancel,
+                                        TaskMemory& memory) {
+  if (stage != Stage::kVerify) return RunStage(stage, bytes, cancel, memory);
+  TILEMEND_ASSIGN_OR_RETURN(const auto input, Parse<v1::VerifyInput>(bytes));
+  return RunVerify(input, cancel, memory, [&](Stage repeated, const std::string& repeated_input) {
+    return RunStage(repeated, repeated_input, cancel, memory);
+  });
+}
+
 }  // namespace
+
+void DiscardSceneOutput(Stage stage, const std::string& input_bytes, const std::string& output_bytes) {
+  v1::AssembleInput input;
+  v1::AssembleOutput output;
+  if (stage != Stage::kAssemble || !input.ParseFromString(input_bytes) || !output.ParseFromString(output_bytes)) return;
+  if (!output.unchanged()) AttemptFiles::Remove(input.attempts(), output);
+}
 
 StageRunner SceneStageRunner(int64_t memory_bytes) {
   return [memory = std::make_shared<TaskMemory>(memory_bytes)](Stage stage, const std::string& input,
                                                                const CancelToken& cancel) {
-    return RunStage(stage, input, cancel, *memory);
+    return VerifyOrRun(stage, input, cancel, *memory);
   };
 }
 

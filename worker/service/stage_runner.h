@@ -18,6 +18,9 @@ namespace tilemend {
 using StageRunner =
     std::function<absl::StatusOr<std::string>(Stage stage, const std::string& input, const CancelToken& cancel)>;
 
+// Takes away what a stage left on the disk: its output is of use to nobody. Called by several threads at once.
+using OutputDiscarder = std::function<void(Stage stage, const std::string& input, const std::string& output)>;
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_WORKER_SERVICE_STAGE_RUNNER_H_

@@ -302,22 +302,32 @@ void Worker::AwaitTask(std::unique_lock<std::mutex>& lock) {
 }
 
 void Worker::RunTask(Held& held) {
-  WorkerMetrics::PerStage& metrics = metrics_.Of(static_cast<Stage>(held.task.stage()));
   absl::StatusOr<std::string> input = InputOf(held);
   std::optional<absl::StatusOr<std::string>> output = input.ok() ? Compute(held, *input) : std::move(input);
   std::optional<v1::FinishedTask> report;
   if (output) report = Report(held.task, *std::move(output));
   if (report && report->has_error() && !held.cancel.cancelled()) LogFailure(held.task, report->error());
+  if (!report) {
+    std::lock_guard<std::mutex> lock(mutex_);
+    held_.erase(held.task.ref().attempt_token());
+  } else if (!TakeReport(held, *report) && report->has_output() && options_.discard) {
+    options_.discard(static_cast<Stage>(held.task.stage()), *input, report->output().content());
+  }
+}
+
+bool Worker::TakeReport(const Held& held, const v1::FinishedTask& report) {
+  WorkerMetrics::PerStage& metrics = metrics_.Of(static_cast<Stage>(held.task.stage()));
   const uint64_t token = held.task.ref().attempt_token();
   std::lock_guard<std::mutex> lock(mutex_);
   held_.erase(token);
-  if (report && held.dropped) {
+  if (held.dropped) {
     metrics.cancelled->Increment();
-  } else if (report) {
-    (report->has_output() ? metrics.finished : metrics.failed)->Increment();
-    finished_[token] = *std::move(report);
+  } else {
+    (report.has_output() ? metrics.finished : metrics.failed)->Increment();
+    finished_[token] = report;
   }
   if (waiting_call_ != nullptr) waiting_call_->Interrupt();
+  return !held.dropped;
 }
 
 void Worker::LogFailure(const v1::Task& task, const v1::Status& error) const {

@@ -46,6 +46,8 @@ struct WorkerOptions {
   // How long it calls its coordinator in vain, in pauses between calls, before it ends with the error.
   absl::Duration patience = absl::InfiniteDuration();
   std::function<void()> on_end;  // on a thread of its own, once it will take no more tasks; none: nobody is told
+  OutputDiscarder discard =
+      {};  // for outputs of tasks that were given to others meanwhile; none: nothing is to be done
   std::function<v1::FoldersSeen(const v1::JobFolders&)> look = LookAtFolders;  // on a thread of tasks
   Log* log = Log::Null();                                                      // outlives the worker
 };
@@ -99,6 +101,8 @@ class Worker {
   // Waits until there is something to do, or the worker has ended.
   void AwaitTask(std::unique_lock<std::mutex>& lock);
   void RunTask(Held& held);
+  // To be told to the coordinator. False if it was dropped: nobody wants it.
+  bool TakeReport(const Held& held, const v1::FinishedTask& report);
   void Look(const v1::JobFolders& folders);
   absl::StatusOr<std::string> InputOf(const Held& held);
   std::optional<absl::StatusOr<std::string>> Compute(Held& held, const std::string& input);

@@ -170,6 +170,7 @@ TEST(ShareDoneTest, CountsTasksThatAreHeldBack) {
   EXPECT_EQ(ShareDone("survey", kCells, 0, kOut + 10'000, 10'000), 1 / 30.0);
   EXPECT_EQ(ShareDone("assemble", kCells, 50'000, 150'000 + kOut, 150'000), .75);
   EXPECT_EQ(ShareDone("assemble", kCells, kCells - 500, 200'000, 199'500), 199'500 / 200'000.0) << "all are out";
+  EXPECT_EQ(ShareDone(kVerifyPhase, 10, 10, 32, 31), 31 / 32.0);
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ TEST_F(DeliveryCheckTest, RefusesAFileTwiceAndOtherBytes) {
   output_.mutable_files()->RemoveLast();
   folder_.Write("a-0", "bad");
   EXPECT_EQ(Check(TileCheck::kSize), absl::StatusCode::kOk);
-  EXPECT_EQ(Check(TileCheck::kDigest), absl::StatusCode::kDataLoss);
+  EXPECT_EQ(Check(TileCheck::kContent), absl::StatusCode::kDataLoss);
 }
 
 TEST_F(DeliveryCheckTest, RefusesNothing) {

@@ -24,6 +24,7 @@ class FakePipeline : public JobPipeline {
     std::function<void()> on_result, on_finish;
     bool stalls = false;
     bool too_late_to_cancel = false;
+    std::string catches = {};  // a worker, if the first result says something else than "true"
   };
   explicit FakePipeline(Script script) : script_(std::move(script)) {}
 
@@ -35,6 +36,10 @@ class FakePipeline : public JobPipeline {
     result_ = std::move(result);
     done_ = !script_.stalls;
     return std::vector<NewTask>();
+  }
+  std::optional<CaughtWorker> Caught() const override {
+    if (script_.catches.empty() || *result_.output == "true") return std::nullopt;
+    return CaughtWorker{script_.catches, "it lied"};
   }
   bool Done() const override { return done_; }
   Progress GetProgress() const override { return {"at it", 1, 0, 0, 0}; }
@@ -63,7 +68,17 @@ class JobRunnerTest : public ::testing::Test {
   std::unique_ptr<JobRunner> RunFactory(PipelineFactory factory, JobRunner::Mode mode = JobRunner::Mode::kRun) {
     JobRunner::Sink sink;
     sink.add_tasks = [this](std::vector<TaskSpec> tasks, const Progress& progress) {
-      if (!tasks.empty()) tasks_.set_value({std::move(tasks), progress});
+      if (tasks.empty()) return absl::OkStatus();
+      if (++given_out_ == 1) tasks_.set_value({std::move(tasks), progress});
+      if (given_out_ > 1) tasks_again_.set_value();
+      return absl::OkStatus();
+    };
+    sink.caught = [this](const CaughtWorker& worker) {
+      caught_ = worker.worker;
+      return may_begin_again_ ? absl::OkStatus() : absl::AbortedError(worker.reason);
+    };
+    sink.begins_again = [this] {
+      ++begun_again_;
       return absl::OkStatus();
     };
     sink.await = [] {};
@@ -80,6 +95,7 @@ class JobRunnerTest : public ::testing::Test {
     SettledTask task;
     task.cell = {2, 1};
     task.stage = Stage::kFill;
+    task.input = Sha256Hex("the input");
     task.output = output;
     return task;
   }
@@ -88,6 +104,11 @@ class JobRunnerTest : public ::testing::Test {
   const std::shared_ptr<BlobFolder> blobs_;
   std::promise<std::pair<std::vector<TaskSpec>, Progress>> tasks_;
   std::promise<absl::StatusOr<JobOutcome>> outcome_;
+  // Of jobs that begin again.
+  int given_out_ = 0, begun_again_ = 0;
+  bool may_begin_again_ = true;
+  std::string caught_;
+  std::promise<void> tasks_again_;
 };
 
 TEST_F(JobRunnerTest, StoresInputsAndHandsResultsToThePipeline) {
@@ -99,6 +120,43 @@ TEST_F(JobRunnerTest, StoresInputsAndHandsResultsToThePipeline) {
   EXPECT_EQ(progress.phase, "at it");
   runner->Deliver(Committed(), "the output");
   EXPECT_EQ(AwaitOutcome()->message, "the output");
+}
+
+TEST_F(JobRunnerTest, BeginsAgainWithoutTheResultsOfAWorkerThatLied) {
+  FakePipeline::Script script;
+  script.catches = "liar";
+  const auto runner = Run(script);
+  const auto [tasks, progress] = AwaitTasks();
+  runner->Deliver(Committed(), "a lie");
+  tasks_again_.get_future().get();
+  EXPECT_EQ(caught_, "liar");
+  EXPECT_EQ(begun_again_, 1);
+  EXPECT_EQ(blobs_->Read(tasks[0].input).value(), "the input") << "it is asked again";
+  runner->Deliver(Committed(), "true");
+  EXPECT_EQ(AwaitOutcome()->message, "true");
+}
+
+TEST_F(JobRunnerTest, FailsIfItMayNotBeginAgain) {
+  may_begin_again_ = false;
+  FakePipeline::Script script;
+  script.catches = "liar";
+  const auto runner = Run(script);
+  AwaitTasks();
+  runner->Deliver(Committed(), "a lie");
+  const auto outcome = AwaitOutcome();
+  EXPECT_EQ(outcome.status().message(), "it lied");
+  EXPECT_EQ(begun_again_, 0);
+}
+
+TEST_F(JobRunnerTest, BeginsAgainWhenItIsToldTo) {
+  FakePipeline::Script script;
+  const auto runner = Run(script);
+  AwaitTasks();
+  runner->BeginAgain();
+  tasks_again_.get_future().get();
+  runner->Deliver(Committed(), "the output");
+  EXPECT_EQ(AwaitOutcome()->message, "the output");
+  EXPECT_EQ(begun_again_, 1);
 }
 
 // Refuses the first so many times, since another process holds the output.

@@ -12,7 +12,7 @@ namespace {
 
 class TaskReuseTest : public ::testing::Test {
  protected:
-  TaskReuse NewJob() { return TaskReuse(ResultLog::Open(folder_ / "log", false).value()); }
+  TaskReuse NewJob() { return TaskReuse(ResultLog::Open(folder_ / "log", ResultLog::Opening::kNewJob).value()); }
 
   // Another job that does the task; gives whether it was known.
   static bool Do(TaskReuse& reuse, NewTask task, const std::string& output) {

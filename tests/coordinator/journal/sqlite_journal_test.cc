@@ -51,6 +51,47 @@ class SqliteJournalTest : public ::testing::Test {
   const std::string path_ = folder_ / "journal.sqlite";
 };
 
+TEST_F(SqliteJournalTest, ResultsOfOneWorkerAreDroppedForGood) {
+  const auto put = [](Journal& journal) {
+    journal.PutJob(NewJob(1));
+    ResultRecord of_liar = Inside("lie"), blob = Blob(Sha256Hex("b")), of_good = Inside("true"), lost;
+    of_liar.worker = blob.worker = "liar";
+    of_good.worker = "good";
+    lost.state = TaskState::kPending;
+    lost.lost_workers = {"liar"};
+    journal.PutResult(1, Task(1), of_liar);
+    journal.PutResult(1, Task(2), blob);
+    journal.PutResult(1, Task(3), of_good);
+    journal.PutResult(1, Task(4), lost);
+    journal.PutResult(2, Task(1), of_liar);
+  };
+  const auto expect = [](Journal& journal) {
+    for (const int col : {1, 2}) EXPECT_FALSE(journal.Find(1, Task(col)).value().has_value());
+    EXPECT_EQ(journal.Find(1, Task(3)).value()->worker, "good");
+    EXPECT_EQ(journal.Find(1, Task(4)).value()->lost_workers, std::vector<std::string>{"liar"});
+    EXPECT_THAT(journal.Outputs(1).value(), ::testing::IsEmpty());
+  };
+  {
+    const auto journal = Open();
+    put(*journal);
+    journal->Await();
+    EXPECT_FALSE(journal->Find(1, Task(3)).value().has_value()) << "it is of this process";
+    ASSERT_TRUE(journal->ReadAgain(1).ok());
+    EXPECT_EQ(journal->Find(1, Task(1)).value()->worker, "liar");
+    journal->DropResults(1, "liar");
+    ASSERT_TRUE(journal->ReadAgain(1).ok());
+    expect(*journal);
+    ResultRecord again = Inside("true as well");
+    journal->PutResult(1, Task(1), again);
+    ASSERT_TRUE(journal->ReadAgain(1).ok());
+    EXPECT_EQ(journal->Find(1, Task(1)).value(), again);
+    journal->PutResult(1, Task(1), ResultRecord{TaskState::kCommitted, Sha256Hex("x"), "x", "", {}, "liar"});
+    journal->DropResults(1, "liar");
+    journal->Await();
+  }
+  EXPECT_EQ(Open()->Find(1, Task(1)).value()->content, "true as well") << "what was there before";
+}
+
 TEST_F(SqliteJournalTest, JobsAreAsTheyWerePutLast) {
   {
     const auto journal = Open();

@@ -312,19 +312,6 @@ TEST_F(PlacedFilesTest, AreMissedWhereALinkIsInTheirPlace) {
   EXPECT_TRUE(absl::IsAborted(SeeAll()));
 }
 
-TEST_F(PlacedFilesTest, AreReadAtTheEndAfterARestart) {
-  const AttemptFile file = Attempt();
-  ASSERT_TRUE(output_->Place(file).ok());
-  output_->ReadAtTheEnd();
-  EXPECT_TRUE(output_->Place(file).ok());
-  EXPECT_TRUE(SeeAll().ok());
-  folder_.Write("deep/out/tiles/a.ply", "killed");
-  for (const bool kept : {false, true}) {
-    EXPECT_TRUE((kept ? output_->Keep(file) : output_->Place(file)).ok());
-    EXPECT_TRUE(absl::IsAborted(SeeAll()));
-  }
-}
-
 TEST_F(PlacedFilesTest, AreLookedAtUntilTheJobIsToEnd) {
   ASSERT_TRUE(output_->Place(Attempt()).ok());
   EXPECT_TRUE(absl::IsCancelled(output_->SeeAll([] { return true; })));

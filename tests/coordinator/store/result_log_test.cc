@@ -13,7 +13,8 @@ namespace {
 
 class ResultLogTest : public ::testing::Test {
  protected:
-  ResultLog Open(bool resumed = false) { return ResultLog::Open(path_, resumed).value(); }
+  using Opening = ResultLog::Opening;
+  ResultLog Open(Opening how = Opening::kNewJob) { return ResultLog::Open(path_, how).value(); }
   int64_t Bytes() const { return static_cast<int64_t>(std::filesystem::file_size(path_)); }
 
   const std::string a_ = Sha256Hex("a"), b_ = Sha256Hex("b"), c_ = Sha256Hex("c");
@@ -40,7 +41,7 @@ TEST_F(ResultLogTest, AJobThatGoesOnFindsWhatItFoundBefore) {
   ASSERT_TRUE(Open().Put(a_, "earlier").ok());
   ASSERT_TRUE(Open().Put(b_, "own").ok());
   for (int i = 0; i < 2; ++i) {
-    ResultLog log = Open(true);
+    ResultLog log = Open(Opening::kSameJob);
     EXPECT_EQ(log.Find(a_), "earlier");
     EXPECT_EQ(log.Find(b_), std::nullopt);
     const int64_t before = Bytes();
@@ -52,7 +53,28 @@ TEST_F(ResultLogTest, AJobThatGoesOnFindsWhatItFoundBefore) {
 TEST_F(ResultLogTest, AJobThatHasPutNothingYetGoesOnAsWell) {
   ASSERT_TRUE(Open().Put(a_, "earlier").ok());
   Open();
-  EXPECT_EQ(Open(true).Find(a_), "earlier");
+  EXPECT_EQ(Open(Opening::kSameJob).Find(a_), "earlier");
+}
+
+TEST_F(ResultLogTest, AJobThatBeginsAnewForgetsWhatItHasPutAndNothingElse) {
+  ASSERT_TRUE(Open().Put(a_, "earlier").ok());
+  ASSERT_TRUE(Open().Put(b_, "false").ok());
+  for (int i = 0; i < 2; ++i) {
+    ResultLog log = Open(Opening::kSameJobAnew);
+    EXPECT_EQ(log.Find(a_), "earlier");
+    ASSERT_TRUE(log.Put(c_, "true").ok());
+  }
+  ResultLog log = Open();
+  EXPECT_EQ(log.Find(a_), "earlier");
+  EXPECT_EQ(log.Find(b_), std::nullopt);
+  EXPECT_EQ(log.Find(c_), "true");
+}
+
+TEST_F(ResultLogTest, TheFirstJobMayBeginAnewAsWell) {
+  { ResultLog nothing = Open(Opening::kSameJobAnew); }
+  ASSERT_TRUE(Open().Put(a_, "false").ok());
+  { ResultLog log = Open(Opening::kSameJobAnew); }
+  EXPECT_EQ(Open().Find(a_), std::nullopt);
 }
 
 TEST_F(ResultLogTest, KeepsOnlyWhatTheJobHadUseFor) {
@@ -83,7 +105,7 @@ TEST_F(ResultLogTest, ATornEndIsAsGoodAsNone) {
   }
   const int64_t whole = Bytes();
   {
-    ResultLog log = Open(true);
+    ResultLog log = Open(Opening::kSameJob);
     ASSERT_TRUE(log.Put(b_, "torn").ok());
   }
   const std::string bytes = ReadFile(path_).value();
@@ -131,7 +153,7 @@ TEST_F(ResultLogTest, AFileOfAnotherReleaseIsReplaced) {
 TEST_F(ResultLogTest, FollowsNoLink) {
   const std::string other = folder_.Write("other", "mine");
   std::filesystem::create_symlink(other, path_);
-  EXPECT_FALSE(ResultLog::Open(path_, false).ok());
+  EXPECT_FALSE(ResultLog::Open(path_, Opening::kNewJob).ok());
   EXPECT_EQ(ReadFile(other).value(), "mine");
 }
 

@@ -352,7 +352,7 @@ void Coordinator::CheckState() {
   size_t leases = 0;
   for (const auto& [id, job] : state_->jobs()) {
     if (IsOver(job.state)) {
-      Require(job.tasks.empty() && job.pending.empty() && job.alone.empty(), "a job that is over has tasks");
+      Require(job.tasks.empty() && job.pending.size() == 0 && job.alone.empty(), "a job that is over has tasks");
       continue;
     }
     const TaskCounts& c = job.counts;
@@ -373,7 +373,8 @@ void Coordinator::CheckState() {
         Require(worker != nullptr && worker->held.contains({id, number}), "a lease whose holder does not know of it");
       }
     }
-    Require(doubted == job.doubted.size() && refusals == job.refusals, "the refusals are not those counted");
+    Require(doubted == job.doubts.tasks.size() && refusals == job.doubts.refusals,
+            "the refusals are not those counted");
     Require(leased == c.leased && alone == job.alone.size(), "the leased tasks are not those counted");
   }
   Require(leases == valid_.size(), "other attempts are valid than were given out");

@@ -27,6 +27,7 @@ class Store : public Journal {
     queue_.emplace_back(Result{NameOf(job, task), std::move(result)});
   }
   void DropJob(int64_t) override {}
+  void DropResults(int64_t, const std::string&) override {}
   std::vector<SetAsideRecord> TakeSetAside() override {
     std::vector<SetAsideRecord> records;
     for (const auto& [worker, reason] : set_aside_) records.push_back({worker, reason});

@@ -1,0 +1,50 @@
+#include "coordinator/jobs/scene_verification.h"
+
+#include <utility>
+#include <variant>
+
+#include "common/util/error_info.h"
+#include "common/util/status_macros.h"
+#include "coordinator/jobs/scene_tasks.h"
+
+namespace tilemend {
+
+SceneVerification::SceneVerification(VerifiedShares shares, std::string output, std::shared_ptr<ScratchFile> scratch)
+    : output_(std::move(output)),
+      files_(output_.empty() ? 0 : shares.files),
+      results_(output_.empty() ? 0 : shares.results, std::move(scratch)) {}
+
+void SceneVerification::AddResult(const TaskResult& result) {
+  results_.AddResult(result);
+  const absl::Status& status = result.output.status();
+  const bool seems_changed = absl::IsAborted(status) && ErrorReason(status).empty();
+  if (seems_changed) caught_ = files_.WhoIsWrongNear(result.cell);
+}
+
+void SceneVerification::ReadOutput(const StageOutput& output, const SceneWaves& waves, Report& report) {
+  if (const auto* const survey = std::get_if<v1::SurveyOutput>(&output)) {
+    report.tile = TileRefOf(waves.tile(report.cell), waves.scene().root);
+    report.tile.set_digest(survey->digest());
+    report.stamp = survey->stamp();
+  }
+  if (const auto* const assembled = std::get_if<v1::AssembleOutput>(&output)) report.written = *assembled;
+}
+
+void SceneVerification::AddReport(Report report, const std::string& scene) {
+  if (!report.tile.path().empty())
+    files_.AddTile(report.cell, report.worker, std::move(report.tile), std::move(report.stamp));
+  files_.AddWritten({report.cell, std::move(report.worker), report.is_known, std::move(report.written)}, output_,
+                    scene);
+}
+
+absl::StatusOr<std::optional<NewTask>> SceneVerification::Next(bool all) {
+  TILEMEND_ASSIGN_OR_RETURN(std::optional<NewTask> task, results_.Next());
+  return task ? std::move(task) : files_.Next(all);
+}
+
+absl::Status SceneVerification::Take(const TaskResult& result) {
+  TILEMEND_ASSIGN_OR_RETURN(caught_, results_.IsOut(result) ? results_.Take(result) : files_.Take(result));
+  return absl::OkStatus();
+}
+
+}  // namespace tilemend
