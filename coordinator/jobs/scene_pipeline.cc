@@ -375,8 +375,8 @@ class ScenePipeline : public JobPipeline {
     return absl::OkStatus();
   }
 
-  const JobSpec spec_;
-  const std::string key_;               // as OutputKey
+  const JobOnOutput job_;
+  const JobSpec& spec_;                 // of job_
   std::optional<OutputFolder> output_;  // none in a dry run
   SceneVerification verification_;
   int64_t tasks_out_ = 0;  // given out, and their results have not come
