@@ -147,7 +147,10 @@ absl::Status JobRuns::OnTasks(const std::string& id, std::vector<TaskSpec> tasks
   ClusterLock lock(cluster_.mutex);
   JobEntry& entry = cluster_.jobs.at(id);
   bool& resuming = entry.resuming;
-  resuming = resuming && std::all_of(tasks.begin(), tasks.end(), [](const TaskSpec& t) { return t.known.has_value(); });
+  const bool is_known = std::all_of(tasks.begin(), tasks.end(), [](const TaskSpec& task) {
+    return task.known.has_value() || IsBackground(task.stage);  // no journal knows a verification
+  });
+  resuming = resuming && is_known && progress.phase != kVerifyPhase;
   // Both fail only if the job is over; then its runner is being cancelled. A job that resumes runs through all it has
   // done; nobody is to see it begin again.
   if (!resuming) updates_.Apply(JobProgressed{id, progress}).IgnoreError();
