@@ -3,6 +3,7 @@
 
 Without grpcurl, grpcurl.py beside this file stands in for it. Exit code 77 (skipped, and says so) without curl or openssl.
 """
+import contextlib
 import hashlib
 import json
 import os
@@ -34,11 +35,12 @@ def fail(why):
 
 
 class Coordinator:
-    def __init__(self, folder, name, *flags):
+    def __init__(self, ends, folder, name, *flags):
         work = os.path.join(folder, f'{name}-work')
         words = ['--work', work, '--listen', '127.0.0.1:0', '--web', '127.0.0.1:0', '--log', 'text', *flags]
         self.process = subprocess.Popen([os.path.join(BIN, 'tilemend-coordinator'), *words], stderr=subprocess.PIPE,
                                         text=True, cwd=folder)
+        ends.callback(self.end)
         self.ports, log = {}, []
         for line in self.process.stderr:
             log.append(line)
@@ -52,6 +54,7 @@ class Coordinator:
     def end(self):
         self.process.terminate()
         self.process.wait()
+        self.process.stderr.close()
 
 
 def commands():
@@ -63,7 +66,7 @@ def commands():
 
 
 class Trial:
-    def __init__(self, folder):
+    def __init__(self, ends, folder):
         self.folder = folder
         subprocess.run([os.path.join(ROOT, 'scripts/make_certificates.sh'), folder], check=True, stderr=subprocess.DEVNULL)
         self.write('token', 'word')
@@ -78,9 +81,8 @@ class Trial:
         subprocess.run([os.path.join(BIN, 'tilemend-make-scene'), os.path.join(folder, 'scene'), '--cols', '1', '--rows', '1',
                         '--spacing', '10'], check=True, stdout=subprocess.DEVNULL)
         tls = ('--tls-cert', 'coordinator.pem', '--tls-key', 'coordinator.key')
-        self.coordinators = {'plain': Coordinator(folder, 'plain'),
-                             'token': Coordinator(folder, 'token', *tls, '--tokens', 'tokens'),
-                             'certificate': Coordinator(folder, 'certificate', *tls, '--tls-ca', 'ca.pem')}
+        flags = {'plain': (), 'token': (*tls, '--tokens', 'tokens'), 'certificate': (*tls, '--tls-ca', 'ca.pem')}
+        self.coordinators = {kind: Coordinator(ends, folder, kind, *more) for kind, more in flags.items()}
         self.jobs = {}
 
     def write(self, name, text):
@@ -149,15 +151,11 @@ def main():
     found = commands()
     if len(found) < len(EXPECTED):
         fail(f'docs/api.md has {len(found)} commands, of {len(EXPECTED)} that are known')
-    with tempfile.TemporaryDirectory(prefix='tilemend-api-') as folder:
-        trial = Trial(folder)
-        try:
-            for command in found:
-                trial.example(command)
-            trial.check_certificates()
-        finally:
-            for coordinator in trial.coordinators.values():
-                coordinator.end()
+    with tempfile.TemporaryDirectory(prefix='tilemend-api-') as folder, contextlib.ExitStack() as ends:
+        trial = Trial(ends, folder)
+        for command in found:
+            trial.example(command)
+        trial.check_certificates()
     print(f'{len(found)} commands of docs/api.md, and certificates of {len(ME)} roles over HTTPS: passed')
 
 
