@@ -5,12 +5,14 @@ Pictures are drawn and counted, not compared. --write puts the outputs into the 
 so) without matplotlib, pandas or GeoPandas.
 """
 import ast
+import atexit
 import base64
 import contextlib
 import importlib.util
 import io
 import json
 import os
+import subprocess
 import sys
 
 BIN, PACKAGE = (os.path.abspath(path) for path in sys.argv[1:3])
@@ -51,6 +53,14 @@ def compared(outputs):
     return [output.get('text') or output['data'].get('text/plain') or sorted(output['data']) for output in outputs]
 
 
+def end_programs(names):
+    """Those that cells started, if a cell failed before the last."""
+    for value in names.values():
+        if isinstance(value, subprocess.Popen) and value.poll() is None:
+            value.terminate()
+            value.wait()
+
+
 def main():
     missing = [name for name in ('matplotlib', 'pandas', 'geopandas') if importlib.util.find_spec(name) is None]
     if missing:
@@ -63,6 +73,7 @@ def main():
     with open(NOTEBOOK, encoding='utf-8') as file:
         text = file.read()
     notebook, names, faults, count = json.loads(text), {'__name__': '__main__'}, [], 0
+    atexit.register(end_programs, names)
     for cell in notebook['cells']:
         if cell['cell_type'] != 'code':
             continue
