@@ -38,6 +38,8 @@ export class JobView {
   private holes: Holes | null = null;
   private lines: LogLines = { lines: [] };
   private table: HolesTable | null = null;
+  private readonly reviewed = new Map<number, number>(); // by hole, the hole of its row in the queue
+  private shown: [[number, number], Hole | null] | null = null; // what the detail is of
 
   constructor(private readonly name: string) {
     this.element.append(el('h2', {}, `Map of ${name}`), el('div', { class: 'mapanddetail' }, this.mapBox, this.detail),
@@ -46,14 +48,17 @@ export class JobView {
 
   async poll(job: Job): Promise<void> {
     const cells = await get<Cells>(`/v1/${this.name}/cells`);
-    const holes = await this.readHoles();
+    const isPlanned = Number(job.progress.holes) > 0 || (isOver(job) && job.report !== '');
+    const holes = isPlanned ? await this.readHoles() : null;
     const lines = await get<LogLines>(`/v1/${this.name}/log`);
     this.warnings.replaceChildren(...job.warnings.map((text) => el('p', { class: 'warning' }, text)));
     if (cells === this.map?.cells && holes === this.holes && lines === this.lines) return;
     this.holes = holes;
     this.lines = lines;
+    const hadTiles = this.map?.cells.hasTiles ?? false;
     this.map = new JobMap(cells, holes);
     this.draw(this.map);
+    if (cells.hasTiles && !hadTiles && this.shown) this.showDetail(...this.shown);
     this.failures.update(cells, lines.lines);
     this.drawHoles(job, this.map);
   }
@@ -107,6 +112,7 @@ export class JobView {
   private showDetail(cell: [number, number], hole: Hole | null): void {
     const map = this.map;
     if (!map) return;
+    this.shown = [cell, hole];
     const text = hole ? `Hole ${hole.id}, ${number(hole.area, 1)} m\u00b2, in cell ${cell.join(', ')}` : map.textOf(map.indexOf(cell));
     const parts: HTMLElement[] = [el('p', { role: 'status' }, text)];
     if (map.cells.hasTiles) {
@@ -148,16 +154,23 @@ export class JobView {
 
   // The queue of the report, with the row of the hole in focus.
   private async showReview(hole: Hole): Promise<void> {
-    if (this.reviewBox.childElementCount === 0) {
-      const { review, ...report } = await get<JobReview>(`/v1/${this.name}/review`);
-      this.reviewBox.replaceChildren(el('h2', {}, 'Review'), reviewQueue(report, review));
-      for (const item of review.items) {
-        for (const id of item.holes) this.reviewed.set(id, item.hole);
-      }
+    try {
+      if (this.reviewed.size === 0) await this.readReview();
+    } catch (error) {
+      const isBeingRead = error instanceof ApiError && error.status === 503;
+      this.reviewBox.replaceChildren(el('p', { class: 'warning' }, `The review queue cannot be shown: ${(error as Error).message}`));
+      if (isBeingRead) setTimeout(() => void this.showReview(hole), 500);
+      return;
     }
     const row = this.reviewBox.querySelector<HTMLElement>(`tr[data-hole="${this.reviewed.get(hole.id) ?? ''}"]`);
     row?.scrollIntoView({ block: 'center' });
     row?.focus();
   }
-  private readonly reviewed = new Map<number, number>(); // by hole, the hole of its row
+  private async readReview(): Promise<void> {
+    const { review, ...report } = await get<JobReview>(`/v1/${this.name}/review`);
+    this.reviewBox.replaceChildren(el('h2', {}, 'Review'), reviewQueue(report, review));
+    for (const item of review.items) {
+      for (const id of item.holes) this.reviewed.set(id, item.hole);
+    }
+  }
 }
