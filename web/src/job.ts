@@ -166,6 +166,7 @@ export class JobView {
     row?.scrollIntoView({ block: 'center' });
     row?.focus();
   }
+
   private async readReview(): Promise<void> {
     const { review, ...report } = await get<JobReview>(`/v1/${this.name}/review`);
     this.reviewBox.replaceChildren(el('h2', {}, 'Review'), reviewQueue(report, review));
