@@ -14,12 +14,14 @@ namespace tilemend {
 // Fills of less doubt are not in the page's queue: it holds the outline of each.
 inline constexpr size_t kMostReviewItems = 1000;
 
-// As JSON for the page (web/src/data.ts): "count" of all fills with a doubt, "items" with the most doubt, as the
-// report's `review` has them, with "z", the height of their levels' zero; "crs" of `holes`, the text of holes.geojson;
-// "outlines", base64 of gzip of an object: by hole number of the item the coordinates of a MultiPolygon; and "earlier",
-// the same of a list: the features of decisions that were made before, so that the next file has them too.
-// "z" is null without `scene`. kInvalidArgument if `holes` is no GeoJSON. Cost: linear; features of other holes are
-// dropped as they are read.
+// As JSON for the page (web/src/data.ts). `holes` is the text of holes.geojson.
+//   count     of all fills with a doubt
+//   items     those of the most doubt, as the report's `review` has them
+//   z         the height of their levels' zero; null without `scene`
+//   crs       of `holes`
+//   outlines  base64 of gzip of an object: by hole number of the item the coordinates of a MultiPolygon
+//   earlier   the same of a list: the features of decisions that were made before. The next file has them too
+// kInvalidArgument if `holes` is no GeoJSON. Cost: linear; features of other holes are dropped as they are read.
 absl::StatusOr<nlohmann::ordered_json> PageReview(const nlohmann::ordered_json& report, const std::string& holes,
                                                   const Scene* scene);
 

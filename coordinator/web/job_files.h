@@ -16,13 +16,13 @@ namespace tilemend {
 inline constexpr int64_t kMostTileBytes = int64_t{64} << 20;
 inline constexpr int64_t kMostReportBytes = int64_t{256} << 20;
 
-// Files are those of a tile that the job's scene names: the tile, and what beside it has the name of a material file,
-// an image or a part of its tree. All are opened below the scene's folder or the output's, links included. Thread-safe.
+// Files are those of a tile that the job's scene names. Beside it they have the name of a material file, an image or a
+// part of its tree. All are opened below the scene's folder or the output's, links included. Thread-safe.
 // Scenes and reports of jobs that are over are read in the background: kUnavailable until they are there.
 class JobFiles {
  public:
-  // What may be seen of the scene of a job. kNotFound (SCENE_FILE_NOT_FOUND) before the job has read it, or if it is
-  // over and no scene.json lies in the scene's folder or in the output's; errors of LoadScene.
+  // What may be seen of the scene of a job. kNotFound (SCENE_FILE_NOT_FOUND) before the job has read it. Of one that is
+  // over also if no scene.json lies in the scene's folder or in the output's. Errors of LoadScene.
   absl::StatusOr<std::shared_ptr<const SceneSight>> SightOf(const std::string& name, const JobCells& job);
 
   // {"holeCount", "holes", "planned"} as JSON text: as planned, then as in the report. kNotFound (REPORT_NOT_FOUND)
@@ -38,8 +38,8 @@ class JobFiles {
     std::string bytes;
     TileFrame frame = {};  // of the tile, as SceneTile::frame
   };
-  // The mesh of a cell, in the scene or in the output, if `path` is empty; else the file of its tile with that path
-  // from the tile's folder. kNotFound (TILE_NOT_FOUND) if the cell has no tile, and for any other file.
+  // The mesh of a cell, in the scene or in the output. With `path` the file of its tile that lies there from the tile's
+  // folder. kNotFound (TILE_NOT_FOUND) if the cell has no tile, and for any other file.
   absl::StatusOr<File> FileOf(const std::string& name, const JobCells& job, CellId cell, bool after,
                               const std::string& path);
 
