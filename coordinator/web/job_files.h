@@ -38,7 +38,7 @@ class JobFiles {
     std::string bytes;
     TileFrame frame = {};  // of the tile, as SceneTile::frame
   };
-  // The mesh of a cell, in the scene or in the output. With `path` the file of its tile that lies there from the tile's
+  // The mesh of a cell, in the scene or in the output. With `path` the file that lies there, seen from its tile's
   // folder. kNotFound (TILE_NOT_FOUND) if the cell has no tile, and for any other file.
   absl::StatusOr<File> FileOf(const std::string& name, const JobCells& job, CellId cell, bool after,
                               const std::string& path);

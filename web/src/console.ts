@@ -69,8 +69,11 @@ async function poll(): Promise<void> {
   jobs.forEach((job) => rates.add(job, Date.now()));
   choose(jobs);
   list.update(jobs, me, rates, chosen);
-  if (seen.workers !== workers) workersBox.replaceChildren(workersTable(seen.workers, showTask));
-  workers = seen.workers;
+  // Who is at one of its buttons is not disturbed.
+  if (seen.workers !== workers && !workersBox.contains(document.activeElement)) {
+    workersBox.replaceChildren(workersTable(seen.workers, showTask));
+    workers = seen.workers;
+  }
   const job = jobs.find((j) => j.name === chosen);
   if (!view || !job) return;
   await view.poll(job);

@@ -87,10 +87,12 @@ export function holesTable(rows: HoleRows, choose?: (hole: Hole) => void): Holes
     const listed = report.per_hole.length;
     const of = listed < report.hole_count ? ` (${number(listed)} of ${number(report.hole_count)} are listed here)` : '';
     count.textContent = counted(holes.length, 'hole') + of;
+    const focused = body.contains(document.activeElement) ? (document.activeElement as HTMLElement).dataset['hole'] : undefined;
     body.replaceChildren(...holes.slice(0, shown).map((hole) =>
-      el('tr', { class: hole.filled || hole.planned ? '' : 'open', ...(choose ? { tabindex: '0', click: () => choose(hole),
+      el('tr', { 'data-hole': String(hole.id), class: hole.filled || hole.planned ? '' : 'open', ...(choose ? { tabindex: '0', click: () => choose(hole),
         keydown: (event: Event) => { if ((event as KeyboardEvent).key === 'Enter') choose(hole); } } : {}) },
         ...COLUMNS.map((c) => el('td', { class: c.isNumber ? 'number' : '' }, c.text(hole))))));
+    if (focused) body.querySelector<HTMLElement>(`tr[data-hole="${focused}"]`)?.focus({ preventScroll: true });
     more.hidden = holes.length <= shown;
     head.querySelectorAll('th').forEach((th, i) => th.setAttribute(
       'aria-sort', sorted?.column !== i ? 'none' : sorted.down ? 'descending' : 'ascending'));
