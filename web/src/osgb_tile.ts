@@ -9,6 +9,7 @@ class Walk {
   bytes = 0;
   left = 0;    // files that were not read
   missing = 0;
+  private readonly seen = new Set<string>();
 
   constructor(private readonly path: string, private readonly focus: Focus | null) {}
 
@@ -34,6 +35,8 @@ class Walk {
       return false;
     }
     for (const name of names) {
+      if (this.seen.has(name)) return false;
+      this.seen.add(name);
       const read = await getTileIfThere(this.path, name);
       if (!read) {
         ++this.missing;

@@ -37,6 +37,7 @@ function isOutside(volume: Volume, matrix: Matrix4, focus: Focus | null): boolea
 
 class Walk {
   readonly models: Model[] = [];
+  private readonly seen = new Set<string>(); // tilesets that were read
   constructor(private readonly path: string, private readonly focus: Focus | null) {}
 
   async tileset({ asset, root }: Tileset, folder: string, outer: Matrix4): Promise<void> {
@@ -50,7 +51,8 @@ class Walk {
     if (isOutside(node.boundingVolume, matrix, this.focus)) return;
     const uris = (node.contents ?? (node.content ? [node.content] : [])).map((c) => c.uri ?? c.url ?? '').filter(Boolean);
     const files = uris.map((uri) => folder + decodeURIComponent(uri.split('?')[0]!));
-    for (const file of files.filter((name) => name.endsWith('.json'))) {
+    for (const file of files.filter((name) => name.endsWith('.json') && !this.seen.has(name))) {
+      this.seen.add(file);
       await this.tileset(parse((await getTile(this.path, file)).bytes), folderOf(file), matrix);
     }
     for (const child of node.children ?? []) await this.node(child, folder, matrix, up);
