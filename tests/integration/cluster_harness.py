@@ -90,12 +90,13 @@ class Bench:
                  '--metrics', '127.0.0.1:0'], stderr=open(path, 'w')))
             self.worker_ports.append(await_('a worker', lambda path=path: metrics_port(open(path).read())))
 
-    def tasks_run(self):
+    def tasks_run(self, stage=''):
+        """Of one stage, or all."""
         total = 0
         for port in self.worker_ports:
             with urllib.request.urlopen(f'http://127.0.0.1:{port}/metrics') as answer:
                 for line in answer.read().decode().splitlines():
-                    if line.startswith('tilemend_worker_tasks_started_total'):
+                    if line.startswith('tilemend_worker_tasks_started_total') and stage in line:
                         total += int(float(line.split()[-1]))
         return total
 

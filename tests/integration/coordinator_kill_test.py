@@ -75,7 +75,7 @@ class JobRun:
     def __init__(self, bench, scene, reference, figures, number):
         self.bench, self.scene, self.reference, self.figures = bench, scene, reference, figures
         self.out = os.path.join(bench.folder, f'out{number}')
-        self.ran_before = bench.tasks_run()
+        self.ran_before, self.verified_before = bench.tasks_run(), bench.tasks_run('verify')
         self.kills = 0
         self.client = bench.submit(scene, self.out, f'r{number}')
 
@@ -114,7 +114,9 @@ class JobRun:
         again = self.bench.tasks_run() - self.ran_before - progress['tasks']
         # A task that a worker got and the coordinator did not give out durably does not exist: it is in flight, too.
         # Where a machine stands still for a second, a task may get a second attempt.
-        most = self.kills * IN_FLIGHT + int(progress['tasks_retried'])
+        # What was verified before a kill is verified once more.
+        verified = self.bench.tasks_run('verify') - self.verified_before
+        most = self.kills * IN_FLIGHT + int(progress['tasks_retried']) + verified
         require(0 <= again <= most, f'{again} tasks were done again at {self.kills} kills')
         await_('the work folder to be empty', lambda: not files(os.path.join(self.bench.work, 'jobs')))
         self.figures.job_is_over(self.kills, again)
