@@ -189,26 +189,22 @@ absl::StatusOr<JobOutcome> JobRunner::RunPipeline(std::unique_ptr<JobPipeline>& 
     TILEMEND_ASSIGN_OR_RETURN(JobFolders folders, pipeline->Folders());
     sink_.folders(std::move(folders));
     sink_.sight(pipeline->Sight());
-    return DrivePipeline(*pipeline);
+    if (resumes_) pipeline->Resume(*resumes_);
+    TILEMEND_ASSIGN_OR_RETURN(std::vector<NewTask> first, pipeline->Start());
+    TILEMEND_RETURN_IF_ERROR(AddTasks(*pipeline, std::move(first)));
+    while (!pipeline->Done()) {
+      if (outstanding_.empty()) {
+        return absl::InternalError("the pipeline is not done, yet has no task left: this is a bug in tilemend");
+      }
+      TILEMEND_ASSIGN_OR_RETURN(std::deque<Delivery> deliveries, NextDeliveries());
+      for (Delivery& delivery : deliveries) TILEMEND_RETURN_IF_ERROR(TakeDelivery(*pipeline, std::move(delivery)));
+    }
+    return pipeline->Finish();
   } catch (const std::bad_alloc&) {
     return absl::ResourceExhaustedError("the coordinator is out of memory");
   } catch (const std::exception& error) {
     return absl::InternalError(absl::StrCat("the pipeline threw: ", error.what()));
   }
-}
-
-absl::StatusOr<JobOutcome> JobRunner::DrivePipeline(JobPipeline& pipeline) {
-  if (resumes_) pipeline.Resume(*resumes_);
-  TILEMEND_ASSIGN_OR_RETURN(std::vector<NewTask> first, pipeline.Start());
-  TILEMEND_RETURN_IF_ERROR(AddTasks(pipeline, std::move(first)));
-  while (!pipeline.Done()) {
-    if (outstanding_.empty()) {
-      return absl::InternalError("the pipeline is not done, yet has no task left: this is a bug in tilemend");
-    }
-    TILEMEND_ASSIGN_OR_RETURN(std::deque<Delivery> deliveries, NextDeliveries());
-    for (Delivery& delivery : deliveries) TILEMEND_RETURN_IF_ERROR(TakeDelivery(pipeline, std::move(delivery)));
-  }
-  return pipeline.Finish();
 }
 
 absl::StatusOr<std::deque<JobRunner::Delivery>> JobRunner::NextDeliveries() {
