@@ -206,7 +206,7 @@ class ScenePipeline : public JobPipeline {
 
   Progress GetProgress() const override {
     Progress progress;
-    progress.phase = waves_.done() && !Done() ? kVerifyPhase : waves_.phase();
+    progress.phase = waves_.done() && verification_.has_begun() ? kVerifyPhase : waves_.phase();
     progress.cells = static_cast<int64_t>(waves_.scene().tiles.size());
     progress.cells_done = waves_.cells_done();
     progress.holes = static_cast<int64_t>(waves_.plan().holes.size());

@@ -39,7 +39,9 @@ void SceneVerification::AddReport(Report report, const std::string& scene) {
 
 absl::StatusOr<std::optional<NewTask>> SceneVerification::Next(bool all) {
   TILEMEND_ASSIGN_OR_RETURN(std::optional<NewTask> task, results_.Next());
-  return task ? std::move(task) : files_.Next(all);
+  if (!task) task = files_.Next(all);
+  has_begun_ = has_begun_ || task.has_value();
+  return task;
 }
 
 absl::Status SceneVerification::Take(const TaskResult& result) {

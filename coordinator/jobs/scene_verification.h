@@ -57,6 +57,7 @@ class SceneVerification {
 
   // By the last result.
   const std::optional<CaughtWorker>& caught() const { return caught_; }
+  bool has_begun() const { return has_begun_; }  // Next gave a task
   bool is_over() const { return files_.is_over() && results_.is_over(); }
 
  private:
@@ -64,6 +65,7 @@ class SceneVerification {
   OutputVerification files_;
   ResultRecomputation results_;
   std::optional<CaughtWorker> caught_;
+  bool has_begun_ = false;
 };
 
 }  // namespace tilemend

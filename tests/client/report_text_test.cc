@@ -58,8 +58,8 @@ TEST(SummaryTextTest, TellsWhatWasFilledByKindAndByMethodWithItsArea) {
 
 TEST(SummaryTextTest, TellsWhatEachLevelOfDetailGot) {
   EXPECT_THAT(SummaryText(Report()), HasSubstr("\nlevel  nodes  filled  triangles added  removed\n"
-                                               "0          2       1               40        0\n"
-                                               "1          8       4              640       25\n"
+                                               "    0      2       1               40        0\n"
+                                               "    1      8       4              640       25\n"
                                                "level 0 is the coarsest.\n"));
 }
 

@@ -152,7 +152,9 @@ await tab.waitForFunction(() => document.querySelector('.job.chosen .state')?.te
 await job('lakes').locator('.name').click();
 await tab.waitForSelector(`.jobview[data-job="${chosen}"]`);
 await tab.waitForSelector('table.holes tbody tr', { timeout: 20000 });
-expect(await tab.locator('svg.map rect.written').count() >= 8, 'after a restart cells are not shown as written');
+const written = await tab.waitForFunction(() => document.querySelectorAll('svg.map rect.written').length >= 8, null,
+  { timeout: 20000 }).catch(() => null);
+expect(written, 'after a restart cells are not shown as written');
 
 // Who may watch alone has no buttons.
 const watcher = await page.open('dark', 'eve', chosen);

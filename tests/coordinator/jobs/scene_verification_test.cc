@@ -42,13 +42,16 @@ TEST_F(SceneVerificationTest, WithoutAnOutputNothingIsVerified) {
   AddSurvey(verification, FileDigest("tile"));
   EXPECT_TRUE(verification.is_over());
   EXPECT_FALSE(verification.Next(true).value().has_value());
+  EXPECT_FALSE(verification.has_begun());
 }
 
 TEST_F(SceneVerificationTest, ResultsAreComputedAgainAndTilesAreRead) {
   SceneVerification verification = Make(folder_.path());
   AddSurvey(verification, FileDigest("other"));
+  EXPECT_FALSE(verification.has_begun());
   const NewTask again = verification.Next(false).value().value(), read = verification.Next(true).value().value();
   EXPECT_FALSE(verification.Next(true).value().has_value());
+  EXPECT_TRUE(verification.has_begun());
   v1::VerifyInput input;
   ASSERT_TRUE(input.ParseFromString(again.input));
   EXPECT_EQ(input.tasks_size(), 1);
