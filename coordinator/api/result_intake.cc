@@ -130,7 +130,10 @@ std::vector<ResultIntake::Discarded> ResultIntake::Take(const std::string& worke
       cluster_.metrics.RefusedLate(report.stage);
     }
     const JobFolders* folders = cluster_.trust.FoldersOf(report.ref.job());
-    if ((!is_taken || !report.refusal.empty()) && folders != nullptr && !report.files.empty()) {
+    const auto job = cluster_.jobs.find(report.ref.job());
+    // A result that was accepted before the job began again looks like a late one: its files may be wanted.
+    const bool is_late = !is_taken && job != cluster_.jobs.end() && !job->second.began_again;
+    if ((is_late || !report.refusal.empty()) && folders != nullptr && !report.files.empty()) {
       discarded.push_back({folders->attempts, std::move(report.files)});
     }
     *response.add_acknowledged() = std::move(report.ref);

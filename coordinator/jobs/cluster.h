@@ -47,6 +47,7 @@ struct JobEntry {
   bool completed = false;                   // its output is, and its end is in the journal
   absl::Time ended;                         // if it is
   bool resuming = false;                    // all its tasks so far were settled by an earlier process
+  bool began_again = false;                 // results of before are kept, and may be reported once more
 };
 
 // What a worker said of itself.

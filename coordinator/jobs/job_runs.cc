@@ -213,7 +213,7 @@ absl::Status JobRuns::OnBeginsAgain(const std::string& id) {
     ClusterLock lock(cluster_.mutex);
     TILEMEND_RETURN_IF_ERROR(updates_.Apply(JobRedone{id}).status());
     JobEntry& entry = cluster_.jobs.at(id);
-    entry.resuming = true;
+    entry.resuming = entry.began_again = true;
     entry.board = CellBoard();
     number = cluster_.state.FindJob(id)->number;
     cluster_.Changed();

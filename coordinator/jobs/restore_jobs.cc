@@ -63,7 +63,7 @@ absl::Status JobRestorer::RestoreJob(JobRecord record) {
     TILEMEND_ASSIGN_OR_RETURN(const std::vector<std::string> outputs, cluster_.journal->Outputs(record.number));
     TILEMEND_RETURN_IF_ERROR(entry.blobs->KeepOnly({outputs.begin(), outputs.end()}));
     FailPoint("restore.swept");
-    entry.resuming = true;
+    entry.resuming = entry.began_again = true;
     cluster_.events.JobRestored(*cluster_.state.FindJob(id), entry.origin);
   }
   runs_.Resume(id, mode);

@@ -45,12 +45,6 @@ AttemptFiles::~AttemptFiles() {
   for (const v1::WrittenFile& file : files_) RemoveFile(PathOf(file)).IgnoreError();
 }
 
-void AttemptFiles::Remove(const std::string& attempts, const v1::AssembleOutput& output) {
-  for (const v1::WrittenFile& file : output.files()) {
-    RemoveFile(absl::StrCat(attempts, "/", file.attempt())).IgnoreError();
-  }
-}
-
 v1::WrittenFile AttemptFiles::NewFile(const std::string& path) const {
   v1::WrittenFile file;
   file.set_path(path);
@@ -115,6 +109,16 @@ std::vector<v1::WrittenFile> AttemptFiles::Keep() {
   std::vector<v1::WrittenFile> files = std::exchange(files_, {});
   std::reverse(files.begin(), files.end());
   return files;
+}
+
+void RemoveKept(Stage stage, const std::string& input_bytes, const std::string& output_bytes) {
+  v1::AssembleInput input;
+  v1::AssembleOutput output;
+  if (stage != Stage::kAssemble || !input.ParseFromString(input_bytes) || !output.ParseFromString(output_bytes)) return;
+  if (output.unchanged()) return;
+  for (const v1::WrittenFile& file : output.files()) {
+    RemoveFile(absl::StrCat(input.attempts(), "/", file.attempt())).IgnoreError();
+  }
 }
 
 }  // namespace tilemend

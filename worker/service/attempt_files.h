@@ -8,13 +8,14 @@
 
 #include "absl/status/status.h"
 #include "common/util/files.h"
+#include "common/util/stage.h"
 #include "tilemend/v1/stages.pb.h"
 
 namespace tilemend {
 
-// Writes files under names that no other attempt has, into a folder that the coordinator made and takes away with the
-// job. Only the coordinator gives them their final names, so that an attempt that was given up, however late it wakes,
-// changes nothing of the output. Makes no folder: after the job's end every write fails. Not thread-safe.
+// Writes files under names that no other attempt has, into a folder that the coordinator made and takes away when
+// the output is complete. Only the coordinator gives them their final names, so that an attempt that was given up,
+// however late it wakes, changes nothing of the output. Makes no folder: after that every write fails. Not thread-safe.
 //
 // Errors: kUnavailable (FOLDER_NOT_SEEN) if this machine cannot write there; kResourceExhausted; and those of the file
 // that is read.
@@ -26,9 +27,6 @@ class AttemptFiles {
   ~AttemptFiles();
   AttemptFiles(const AttemptFiles&) = delete;
   AttemptFiles& operator=(const AttemptFiles&) = delete;
-
-  // Files of an attempt that were kept, and that nobody wants after all.
-  static void Remove(const std::string& attempts, const v1::AssembleOutput& output);
 
   // A file with these bytes, that is to go to `path` of the output.
   absl::Status Write(const std::string& path, std::string_view bytes);
@@ -55,6 +53,9 @@ class AttemptFiles {
   const std::string name_;  // of the attempt
   std::vector<v1::WrittenFile> files_;
 };
+
+// Removes the files that were kept for an output of a stage (OutputDiscarder). Other stages than kAssemble keep none.
+void RemoveKept(Stage stage, const std::string& input, const std::string& output);
 
 }  // namespace tilemend
 

@@ -429,13 +429,6 @@ absl::StatusOr<std::string> VerifyOrRun(Stage stage, const std::string& bytes, c
 
 }  // namespace
 
-void DiscardSceneOutput(Stage stage, const std::string& input_bytes, const std::string& output_bytes) {
-  v1::AssembleInput input;
-  v1::AssembleOutput output;
-  if (stage != Stage::kAssemble || !input.ParseFromString(input_bytes) || !output.ParseFromString(output_bytes)) return;
-  if (!output.unchanged()) AttemptFiles::Remove(input.attempts(), output);
-}
-
 StageRunner SceneStageRunner(int64_t memory_bytes) {
   return [memory = std::make_shared<TaskMemory>(memory_bytes)](Stage stage, const std::string& input,
                                                                const CancelToken& cancel) {

@@ -13,9 +13,6 @@ namespace tilemend {
 // alone never waits.
 StageRunner SceneStageRunner(int64_t memory_bytes = std::numeric_limits<int64_t>::max());
 
-// Removes the files that an attempt wrote.
-void DiscardSceneOutput(Stage stage, const std::string& input, const std::string& output);
-
 }  // namespace tilemend
 
 #endif  // TILEMEND_WORKER_SERVICE_SCENE_STAGES_H_

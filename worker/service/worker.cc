@@ -310,7 +310,7 @@ void Worker::RunTask(Held& held) {
   if (!report) {
     std::lock_guard<std::mutex> lock(mutex_);
     held_.erase(held.task.ref().attempt_token());
-  } else if (!TakeReport(held, *report) && report->has_output() && options_.discard) {
+  } else if (!TakeReport(held, *report) && report->has_output()) {
     options_.discard(static_cast<Stage>(held.task.stage()), *input, report->output().content());
   }
 }

@@ -27,6 +27,7 @@
 #include "common/util/cores.h"
 #include "common/util/log.h"
 #include "tilemend/v1/work.pb.h"
+#include "worker/service/attempt_files.h"
 #include "worker/service/look_at_folders.h"
 #include "worker/service/stage_runner.h"
 #include "worker/service/work_link.h"
@@ -46,8 +47,7 @@ struct WorkerOptions {
   // How long it calls its coordinator in vain, in pauses between calls, before it ends with the error.
   absl::Duration patience = absl::InfiniteDuration();
   std::function<void()> on_end;  // on a thread of its own, once it will take no more tasks; none: nobody is told
-  OutputDiscarder discard =
-      {};  // for outputs of tasks that were given to others meanwhile; none: nothing is to be done
+  OutputDiscarder discard = RemoveKept;  // for outputs of tasks that were given to others meanwhile
   std::function<v1::FoldersSeen(const v1::JobFolders&)> look = LookAtFolders;  // on a thread of tasks
   Log* log = Log::Null();                                                      // outlives the worker
 };

@@ -54,6 +54,23 @@ TEST_F(AttemptFilesTest, TakesBackWhatIsNotKept) {
   EXPECT_TRUE(IsEmpty());
 }
 
+TEST_F(AttemptFilesTest, WhatWasKeptForAResultThatNobodyWantsGoes) {
+  AttemptFiles files(attempts_, out_);
+  ASSERT_TRUE(files.Write("a", "tile").ok());
+  v1::AssembleInput input;
+  input.set_attempts(attempts_);
+  v1::AssembleOutput output;
+  for (const v1::WrittenFile& file : files.Keep()) *output.add_files() = file;
+  output.set_unchanged(true);  // the files are those of an earlier job
+  RemoveKept(Stage::kAssemble, input.SerializeAsString(), output.SerializeAsString());
+  EXPECT_FALSE(IsEmpty());
+  output.set_unchanged(false);
+  RemoveKept(Stage::kFill, input.SerializeAsString(), output.SerializeAsString());
+  EXPECT_FALSE(IsEmpty());
+  RemoveKept(Stage::kAssemble, input.SerializeAsString(), output.SerializeAsString());
+  EXPECT_TRUE(IsEmpty());
+}
+
 TEST_F(AttemptFilesTest, TwoAttemptsNeverMeet) {
   AttemptFiles one(attempts_, out_), other(attempts_, out_);
   ASSERT_TRUE(one.Write("a", "old").ok());
