@@ -89,10 +89,10 @@ class JobRunner {
   bool TryCancel();  // with the lock held
   void Run();
   void ReleaseOnly();
-  // Makes the pipeline and runs it to its end, whatever it throws.
   // Where the job resumes, an earlier coordinator that is stopped, not dead, may hold the output until it wakes and
   // ends: that is waited for, ten minutes at most.
   absl::StatusOr<std::unique_ptr<JobPipeline>> MakePipeline();
+  // Makes the pipeline and runs it to its end, whatever it throws.
   absl::StatusOr<JobOutcome> RunPipeline(std::unique_ptr<JobPipeline>& pipeline);
   // After a pipeline ended. False if that is the job's end.
   absl::StatusOr<bool> PrepareToBeginAgain(std::unique_ptr<JobPipeline>& pipeline);

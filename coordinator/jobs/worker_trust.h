@@ -19,7 +19,7 @@ namespace tilemend {
 // and of the output as the coordinator. One that does not is asked again from time to time: mounts come back. A worker
 // whose result was refused may be suspected until that is cleared, or set aside until its process is started anew.
 //
-// Kept in memory alone: a coordinator that starts anew asks again. Not thread-safe.
+// What workers see is kept in memory alone: a coordinator that starts anew asks again. Not thread-safe.
 class WorkerTrust {
  public:
   // Without files the job is anybody's.

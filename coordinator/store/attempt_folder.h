@@ -22,7 +22,7 @@ inline constexpr char kAttemptFolder[] = ".tilemend-attempts";
 
 // A hidden folder in the output's folder, with a file `key` that holds a random number: who can tell it sees this
 // folder, and no other of the same name. Attempts write there under names of their own and never make a folder, so that
-// one that wakes after the end of its job can write nowhere.
+// one that wakes after the output is complete can write nowhere.
 class AttemptFolder {
  public:
   // Makes the folder, or goes on with the one that an unfinished job has left, its key and what was written there.

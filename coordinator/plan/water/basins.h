@@ -33,8 +33,7 @@ Basin MakeBasin(size_t number, std::vector<PlaneSegment> outline, std::vector<Ri
 //   both alone are level: they are level together, at a level that is no farther from that of either than three times
 //                         its sigma
 //   one alone is level:   J < D / 2 for both together, at a level in the lower half of the other's rim, and close to
-//   the
-//                         foot of it (its 2 % quantile; closer than half the way from there to its median)
+//                         the foot of it (its 2 % quantile; closer than half the way from there to its median)
 //   a river together:     the same holds for the rim of each above that river
 // Cost: for basins that are near, the product of their outlines where these are near, and MakeBasin's for both.
 // Deterministic.

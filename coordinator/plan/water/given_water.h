@@ -27,7 +27,7 @@ struct GivenWater {
 //   with a centreline  a river (FitRiver) of the parts that it runs through
 //   others             each a lake at the area's level, or that of its rim; or a river, if FindFall finds one
 // An area of kind kLake has no river; one of kind kRiver says that its water falls.
-// A part belongs to the river there, or to the largest lake, if their levels differ by at most three sigmas of both.
+// A part belongs to the river there, or to the largest lake, if CanBeOneLevel.
 // Precondition: area.water. Cost: EvidenceOf's for each part, and those of the rivers.
 std::vector<GivenWater> WaterOfArea(const WaterArea& area, std::vector<GivenPart> parts, double min_river);
 

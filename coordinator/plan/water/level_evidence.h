@@ -52,7 +52,7 @@ struct LevelEvidence {
 //   J        root mean square, over all windows, of how far the level of the edges outside the nearer half of the
 //            windows is from c
 //   D        MeanOffLevel: how far a dry surface would be from the water, in the mean
-//   nu       1.4826 times the median roughness of the lower half of the rim
+//   nu       1.4826 times the median, over the lower half of the rim, of how far an edge is off its neighbours
 // Roughness: how far an edge is off the mean of its two neighbours, in standard deviations' units; the median of the
 // edge and its neighbours.
 //

@@ -15,7 +15,7 @@ namespace tilemend {
 //
 //   outline  of the hole, seen from above (even-odd rule; segments that occur twice bound nothing)
 //   heights  places on its rim, at least one
-// Cost: at most about 2,000 squares inside, on a raster of at most 1,000 a side. Deterministic.
+// Cost: about 1,000 squares inside, on a raster of at most 500 a side. Deterministic.
 double MeanOffLevel(std::span<const PlaneSegment> outline, std::span<const Point3> heights, double level);
 
 }  // namespace tilemend

@@ -19,7 +19,8 @@ std::string LowerSurface(double share) {
 }
 
 std::string Agreement(const LevelEvidence& e) {
-  if (!e.agrees()) return "level and dry surface differ by " + Centimetres(e.dry_difference) + ", less than noise";
+  if (!e.agrees())
+    return "level and dry surface differ by " + Centimetres(e.dry_difference) + ", less than three times the noise";
   return "the far sides of the rim tell the same level within " + Centimetres(e.disagreement);
 }
 

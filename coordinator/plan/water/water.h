@@ -12,16 +12,17 @@ namespace tilemend {
 // original rim vertices that stand more than a metre above their water. Judged are clusters of open holes, and closed
 // holes that face up and project, with an edge of original surface on their rim.
 //
-// The last area in options.areas that covers more than half of one decides on it. None is filled flat if the area says
-// that there is no water. Else its level is the area's, or LevelEvidence::level. Those of one area are one body if
-// their levels differ by no more than three sigmas. Along a given centreline the water falls (FitRiver).
+// A reviewer's decision goes first. Then the last area in options.areas that covers more than half of a hole decides on
+// it, unless the whole rim lies above what the area clears. No hole is filled flat if its area says that there is no
+// water. Else its level is the area's, or LevelEvidence::level. Those of one area are one body if CanBeOneLevel. Along
+// a given centreline the water falls (FitRiver).
 //
 // Where none decides and options.find is set (docs/decisions/2026-11-26-water-by-evidence.md):
 //   water         its rim is level (LevelEvidence::is_level), or a river's (FindFall), alone or with that of others
 //                 across a bridge (JoinBasins); no more than 5 % of the surface around it is as low (LowerShares); it
 //                 is as large as options.profile asks
-//   level ground  not water, but level and dry surface differ by less than noise, or it is smaller water, of
-//                 profile.least_level at least: filled flat too
+//   level ground  not water, but level and dry surface differ by less than three times the noise, or it is smaller
+//                 water, of profile.least_level at least: filled flat too
 // Holes that are parts of `known` water of the whole scene are that water first. A reconstruction area may leave too
 // little of a shore. Exceptions are holes where an area forbids water or gives its level. The others of their group are
 // judged by themselves.

@@ -29,9 +29,9 @@ TEST(ReasonForTest, SaysWhyItIsLevelGroundOnly) {
   noisy.area = 5000;
   noisy.evidence.dry_difference = 0.05;
   noisy.evidence.noise = 0.1;
-  EXPECT_EQ(
-      ReasonFor(Verdict::kLevelGround, noisy, 0.25, kWaterProfiles[0]),
-      "level and dry surface differ by 0.05 m, less than noise; 25 % of the surface around it is lower than its rim");
+  EXPECT_EQ(ReasonFor(Verdict::kLevelGround, noisy, 0.25, kWaterProfiles[0]),
+            "level and dry surface differ by 0.05 m, less than three times the noise; 25 % of the surface around it is "
+            "lower than its rim");
 }
 
 TEST(ReasonForTest, SaysWhyItIsNoWater) {
