@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +14,34 @@
 #include "tests/support/test_cluster.h"
 
 namespace tilemend {
+
+// The pipeline of toys, whose workers must see folders.
+class FolderedPipeline : public JobPipeline {
+ public:
+  FolderedPipeline(std::unique_ptr<JobPipeline> toy, JobFolders folders)
+      : toy_(std::move(toy)), folders_(std::move(folders)) {}
+
+  absl::StatusOr<JobFolders> Folders() const override { return folders_; }
+  absl::StatusOr<std::vector<NewTask>> Start() override { return toy_->Start(); }
+  absl::StatusOr<std::vector<NewTask>> OnTaskDone(TaskResult result) override {
+    return toy_->OnTaskDone(std::move(result));
+  }
+  bool Done() const override { return toy_->Done(); }
+  Progress GetProgress() const override { return toy_->GetProgress(); }
+  absl::StatusOr<JobOutcome> Finish() override { return toy_->Finish(); }
+
+ private:
+  const std::unique_ptr<JobPipeline> toy_;
+  const JobFolders folders_;
+};
+
+inline PipelineFactory ToysWithFolders(const JobFolders& folders) {
+  return [=](const JobSpec& spec, const std::stop_token& stop) -> absl::StatusOr<std::unique_ptr<JobPipeline>> {
+    auto toy = ToyPipelineFactory()(spec, stop);
+    if (!toy.ok()) return toy.status();
+    return std::make_unique<FolderedPipeline>(*std::move(toy), folders);
+  };
+}
 
 class CoordinatorTest : public ::testing::Test {
  protected:

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
+#include "common/util/files.h"
 #include "tests/coordinator/api/coordinator_fixture.h"
 
 namespace tilemend {
@@ -95,6 +97,65 @@ TEST_F(ResultIntakeTest, KeepsNoEndlessTextOfAWorker) {
   const v1::Job told = cluster_.Get(job->name());
   ASSERT_EQ(told.warnings_size(), 1) << "no digest: the result is refused";
   EXPECT_LT(told.ByteSizeLong(), 10'000U);
+}
+
+struct HasAttempts {
+  TempFolder attempts_;
+};
+
+// Of workers that write a file for each result.
+class WrittenResultTest : private HasAttempts, public CoordinatorTest {
+ protected:
+  static constexpr char kFile[] = "0123456789abcdef0123456789abcdef-0";
+
+  WrittenResultTest() : CoordinatorTest(Writing(attempts_.path().string())) {
+    EXPECT_TRUE(calls_.jobs.CreateJob(NewRequest()).ok());
+  }
+  static ClusterOptions Writing(const std::string& attempts) {
+    ClusterOptions options = Options();
+    options.durable = true;
+    options.factory = ToysWithFolders({{}, attempts});
+    options.attempts_of = [](Stage, const std::string&) { return std::vector<std::string>{kFile}; };
+    return options;
+  }
+
+  // As AwaitTask, for a worker that has yet to look at the folder.
+  v1::Task Take(const std::string& worker) {
+    v1::SyncResponse told;
+    for (int tries = 0; tries < 20 && told.start_size() == 0; ++tries) {
+      v1::SyncRequest request = NewSync(worker);
+      for (const v1::JobFolders& look : told.look()) request.add_seen()->set_job(look.job());
+      told = Sync(request);
+    }
+    EXPECT_EQ(told.start_size(), 1);
+    return told.start_size() == 0 ? v1::Task() : told.start(0);
+  }
+  // Whether the file is there when the result has been reported.
+  bool FileStays(const std::string& worker, const v1::Task& task) {
+    EXPECT_TRUE(WriteFileAtomically(attempts_ / kFile, "tile").ok());
+    v1::SyncRequest report = NewSync(worker, 0);
+    Finish(task, report);
+    EXPECT_EQ(Sync(report).acknowledged_size(), 1);
+    return ReadFile(attempts_ / kFile).ok();
+  }
+};
+
+TEST_F(WrittenResultTest, TheFilesOfALateOneGo) {
+  const v1::Task late = Take("slow");
+  cluster_.ExpireLeases();
+  const v1::Task task = Take("fast");
+  EXPECT_FALSE(FileStays("slow", late));
+  EXPECT_TRUE(FileStays("fast", task));
+  EXPECT_TRUE(FileStays("fast", task)) << "the same once more";
+}
+
+// The journal has it, but not who gave it.
+TEST_F(WrittenResultTest, TheFilesOfOneThatAnEarlierCoordinatorAcceptedStay) {
+  const v1::Task task = Take("worker");
+  EXPECT_TRUE(FileStays("worker", task));
+  cluster_.Restart();
+  Take("other");  // the job goes on
+  EXPECT_TRUE(FileStays("worker", task));
 }
 
 }  // namespace

@@ -155,33 +155,11 @@ TEST_F(WorkHandlerTest, RefusesNamesWithoutEnd) {
   EXPECT_TRUE(absl::IsInvalidArgument(calls_.work.Sync(talker, [] { return true; }).status()));
 }
 
-// The pipeline of toys, with a file that workers must see.
-class SeenPipeline : public JobPipeline {
- public:
-  explicit SeenPipeline(std::unique_ptr<JobPipeline> toy) : toy_(std::move(toy)) {}
-
-  absl::StatusOr<JobFolders> Folders() const override { return JobFolders{{{"/scene.json", "print"}}, ""}; }
-  absl::StatusOr<std::vector<NewTask>> Start() override { return toy_->Start(); }
-  absl::StatusOr<std::vector<NewTask>> OnTaskDone(TaskResult result) override {
-    return toy_->OnTaskDone(std::move(result));
-  }
-  bool Done() const override { return toy_->Done(); }
-  Progress GetProgress() const override { return toy_->GetProgress(); }
-  absl::StatusOr<JobOutcome> Finish() override { return toy_->Finish(); }
-
- private:
-  const std::unique_ptr<JobPipeline> toy_;
-};
-
 class LookingWorkerTest : public CoordinatorTest {
  protected:
   static ClusterOptions Seen() {
     ClusterOptions options = Options();
-    options.factory = [](const JobSpec& spec, const std::stop_token&) -> absl::StatusOr<std::unique_ptr<JobPipeline>> {
-      auto toy = ToyPipelineFactory()(spec, {});
-      if (!toy.ok()) return toy.status();
-      return std::make_unique<SeenPipeline>(*std::move(toy));
-    };
+    options.factory = ToysWithFolders({{{"/scene.json", "print"}}, ""});
     return options;
   }
 
@@ -227,20 +205,9 @@ TEST_F(LookingWorkerTest, ATaskThatFailedWaitsForItUnlessItSeemsStuck) {
   EXPECT_EQ(AfterAFailure(absl::Seconds(6)).progress().tasks_retried(), 0);
 }
 
-// Its output is where nobody can write.
-class FullPipeline : public SeenPipeline {
- public:
-  using SeenPipeline::SeenPipeline;
-  absl::StatusOr<JobFolders> Folders() const override { return JobFolders{{}, "/proc/self"}; }
-};
-
 TEST(FullOutputTest, AJobThatTheCoordinatorCannotWriteForEitherFails) {
   ClusterOptions options;
-  options.factory = [](const JobSpec& spec, const std::stop_token&) -> absl::StatusOr<std::unique_ptr<JobPipeline>> {
-    auto toy = ToyPipelineFactory()(spec, {});
-    if (!toy.ok()) return toy.status();
-    return std::make_unique<FullPipeline>(*std::move(toy));
-  };
+  options.factory = ToysWithFolders({{}, "/proc/self"});  // nobody can write there
   TestCluster cluster(options);
   cluster.AddWorker("w");
   const v1::Job job = cluster.WaitFor(cluster.Submit("toy://1x1").name());
