@@ -39,8 +39,8 @@ class LoadedValues {
     if (thread_.joinable()) thread_.join();
   }
 
-  // What `load` gave for this name, be it an error. It is called once, on the thread here; kUnavailable until
-  // then.
+  // What `load` gave for this name; kUnavailable while it runs. It is called once, on the thread here. An error is told
+  // once: what asks next has it loaded again, as a shared folder may be back.
   Result Find(const std::string& name, Load load) {
     std::unique_lock<std::mutex> lock(mutex_);
     if (Entry* const known = Touch(name); known == nullptr) Insert(name, std::move(load));
@@ -50,7 +50,11 @@ class LoadedValues {
     };
     changed_.wait_for(lock, kLoadingPatience, there);
     const Entry* const entry = Touch(name);
-    if (entry != nullptr && entry->result) return *entry->result;
+    if (entry != nullptr && entry->result) {
+      Result result = *entry->result;
+      if (!result.ok()) entries_.pop_front();  // where Touch put it
+      return result;
+    }
     return absl::UnavailableError("it is being read; ask again");
   }
 

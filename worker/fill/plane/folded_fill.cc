@@ -198,8 +198,12 @@ class FoldedFiller {
       sets.Join(segments_[k].from, part_of[k]);
       sets.Join(segments_[k].to, part_of[k]);
     }
-    size_t k = 0;  // the vertices of the hole have the lowest numbers
-    std::erase_if(segments_, [&](const RegionSegment&) { return sets.LowestOf(part_of[k++]) >= hole_.size(); });
+    std::vector<RegionSegment> reached;
+    for (size_t k = 0; k < segments_.size(); ++k) {
+      // The vertices of the hole have the lowest numbers.
+      if (sets.LowestOf(part_of[k]) < hole_.size()) reached.push_back(segments_[k]);
+    }
+    segments_ = std::move(reached);
   }
 
   // A corner that a file can only hold where a vertex is already becomes that vertex: beside it, it would come back in
