@@ -11,6 +11,7 @@
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "coordinator/jobs/checked_files.h"
+#include "tilemend/v1/verify.pb.h"
 
 namespace tilemend {
 namespace {

@@ -28,6 +28,7 @@
 #include "coordinator/jobs/wrong_result.h"
 #include "coordinator/report/tile_checks.h"
 #include "tilemend/v1/stages.pb.h"
+#include "tilemend/v1/verify.pb.h"
 
 namespace tilemend {
 namespace {

@@ -9,6 +9,7 @@
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "tilemend/v1/stages.pb.h"
+#include "tilemend/v1/verify.pb.h"
 
 namespace tilemend {
 namespace {

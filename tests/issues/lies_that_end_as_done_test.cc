@@ -15,6 +15,7 @@
 #include "common/util/files.h"
 #include "tests/integration/worker_lies.h"
 #include "tests/support/untrusted_workers.h"
+#include "tilemend/v1/verify.pb.h"
 
 namespace tilemend {
 namespace {

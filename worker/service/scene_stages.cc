@@ -28,6 +28,7 @@
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
 #include "tilemend/v1/stages.pb.h"
+#include "tilemend/v1/verify.pb.h"
 #include "worker/fill/fill_holes.h"
 #include "worker/fill/fill_memory.h"
 #include "worker/fill/seam/sample_cluster.h"

@@ -8,7 +8,7 @@
 #include "absl/status/statusor.h"
 #include "common/util/cancel_token.h"
 #include "common/util/stage.h"
-#include "tilemend/v1/stages.pb.h"
+#include "tilemend/v1/verify.pb.h"
 #include "worker/service/task_memory.h"
 
 namespace tilemend {

@@ -14,6 +14,7 @@
 #include "common/util/error_info.h"
 #include "common/util/folders.h"
 #include "tests/support/temporary_folder.h"
+#include "tilemend/v1/verify.pb.h"
 #include "worker/service/scene_stages.h"
 
 namespace tilemend {

@@ -6,6 +6,7 @@
 #include "common/rpc/result_digest.h"
 #include "common/store/digest.h"
 #include "common/util/error_info.h"
+#include "tilemend/v1/verify.pb.h"
 
 namespace tilemend {
 namespace {

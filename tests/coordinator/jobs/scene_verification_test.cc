@@ -9,6 +9,7 @@
 #include "common/store/tile_stamp.h"
 #include "common/util/error_info.h"
 #include "tests/support/temporary_folder.h"
+#include "tilemend/v1/verify.pb.h"
 #include "worker/service/scene_stages.h"
 
 namespace tilemend {

@@ -7,6 +7,7 @@
 #include "common/rpc/receipt_payloads.h"
 #include "common/store/digest.h"
 #include "tests/support/temporary_folder.h"
+#include "tilemend/v1/verify.pb.h"
 
 namespace tilemend {
 namespace {
