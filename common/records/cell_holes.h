@@ -56,7 +56,7 @@ struct CellHole {
   std::vector<RimSegment> inner_edges = {};  // edges that the patch has inside its boundary; in any direction
   Point2 slope{0, 0};                        // dz/dx, dz/dy of the ground that its cluster lies in
   std::optional<double> tension = {};        // that of its cluster, where it has been chosen
-  std::optional<double> level = {};          // water: the height of every new vertex, metres, on the lattice
+  std::optional<double> level = {};          // filled flat: the height of every new vertex, metres, on the lattice
   WaterSurface river = {};                   // with stations: water whose heights are LevelAt these; level is set too
   bool in_ground = false;                    // closed, and filled as an open one: its rim lies on the ground
   bool own_outline = false;                  // it ends at the tile's own outline: no other tile shares its seams

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "coordinator/plan/types/left_reasons.h"
+
 namespace tilemend {
 namespace {
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "coordinator/plan/types/left_reasons.h"
 #include "coordinator/report/scene_report.h"
 
 namespace tilemend {

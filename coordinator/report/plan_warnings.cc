@@ -69,7 +69,7 @@ std::vector<std::string> PlanWarnings(const Plan& plan) {
   KeepFirst(kMostAnswers, "doubts of polygons (water_areas in the report)", doubts);
   std::ranges::move(doubts, std::back_inserter(warnings));
   WarnOfWaterAtUnknownRim(plan, warnings);
-  if (plan.lattice_step > kMeetTolerance) {
+  if (!plan.single_mesh && plan.lattice_step > kMeetTolerance) {
     warnings.push_back(absl::StrFormat(
         "the tiles have single-precision numbers far from 0, which are %g m apart: heights are not finer than that; "
         "export with a local origin or in double precision",

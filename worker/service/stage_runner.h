@@ -12,7 +12,7 @@
 namespace tilemend {
 
 // Runs one stage on the bytes that the pipeline gave and returns the bytes that it gets. Called by several threads at
-// once. Must be a function of its input: a task may run more than once, and the last lease wins. kUnavailable and
+// once. Must be a function of its input: a task may run more than once, and the first result counts. kUnavailable and
 // kResourceExhausted are taken for the machine's failure and tried again (elsewhere, three times in all); any other
 // error goes to the pipeline. Looks at the token every 10 ms or so; what it returns after a cancel is dropped.
 using StageRunner =

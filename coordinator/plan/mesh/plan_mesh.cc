@@ -12,6 +12,7 @@
 #include "coordinator/plan/mesh/mesh_loops.h"
 #include "coordinator/plan/mesh/outlines.h"
 #include "coordinator/plan/rim/rim_sizes.h"
+#include "coordinator/plan/types/left_reasons.h"
 
 namespace tilemend {
 namespace {
@@ -53,6 +54,7 @@ class MeshPlanner {
     rim_ = BuildRim(input, RimPoints::kOfEdges);
     LinkLoops(rim_, record_->edge_after);
     plan_.lattice_step = LatticeStep(*record_, rim_);
+    plan_.single_mesh = true;
     plan_.upright = options.water.find || !options.water.areas.empty();
   }
 

@@ -1,4 +1,4 @@
-// Reasons of holes that are left, which others than their finder look for.
+// Reasons why holes stay open that other code looks for. The others stand where they are found.
 #ifndef TILEMEND_COORDINATOR_PLAN_TYPES_LEFT_REASONS_H_
 #define TILEMEND_COORDINATOR_PLAN_TYPES_LEFT_REASONS_H_
 
@@ -8,6 +8,10 @@ namespace tilemend {
 inline constexpr char kReachesUnknownRim[] =
     "it reaches the rim of the area, which is not known; --area FILE (inspect --propose-area FILE draws one) or "
     "area_known in a scene.json with all its cells fills it";
+
+// Holes that nobody wants filled.
+inline constexpr char kLongerThanChosen[] = "longer than --largest-hole";
+inline constexpr char kLeftByDecision[] = "left open by decision";
 
 }  // namespace tilemend
 

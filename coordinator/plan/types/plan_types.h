@@ -102,7 +102,7 @@ struct PlannedHole {
   int32_t boundary_vertices = 0;
   Point2 centre{0, 0};
   Point2 slope{0, 0};                // of the ground that its cluster lies in (rim_slopes.h)
-  int32_t water = -1;                // into Plan::water; -1: no water
+  int32_t water = -1;                // into Plan::water; -1: not filled flat
   int32_t evidence = -1;             // into Plan::evidence; -1: too small to be judged
   std::string failure;               // not empty: it can't be filled, for this reason
   std::vector<RimSegment> segments;  // into Plan::vertices
@@ -161,7 +161,7 @@ inline double LevelAt(const WaterBody& body, const Point2& p, double lattice_ste
   return body.river.stations.empty() ? body.level : LevelAt(body.river, p, lattice_step);
 }
 
-// What a hole or cluster of more than 100 m2 was taken for, and why (water.h).
+// What a hole or cluster of at least 100 m2, or beside water, was taken for, and why (water.h).
 struct HoleEvidence {
   enum class Verdict { kLake, kRiver, kLevelGround, kNoWater };
   Verdict verdict = Verdict::kNoWater;
@@ -186,10 +186,6 @@ struct WaterAnswer {
   std::optional<double> clear_height = {};          // of an area with `clear`
   ReviewDecision decision = ReviewDecision::kNone;  // of the area
 };
-
-// A reason of LeftOpen, of holes that nobody wants filled.
-inline constexpr char kLongerThanChosen[] = "longer than --largest-hole";
-inline constexpr char kLeftByDecision[] = "left open by decision";
 
 struct LeftOpen {
   CellId cell;
@@ -216,6 +212,7 @@ struct Plan {
   int32_t continuous = 0;    // groups of holes that touch at a vertex (Zhang: continuous holes), split into single ones
   int64_t outer_rims = 0;    // loops that are the outline of a detached piece, not a hole
   double lattice_step = 0;   // power of two, metres
+  bool single_mesh = false;  // without a grid: the lattice suits its edges, in units of its own
   bool upright = true;       // as CellHoles
   bool has_polygon = false;  // PlanInput::area is not empty
   // Per tile: the plan vertex of each boundary vertex of its record; -1: it bounds no hole. Tiles of which none does

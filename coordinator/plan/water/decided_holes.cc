@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "coordinator/plan/types/left_reasons.h"
 #include "coordinator/plan/water/area_cover.h"
 #include "coordinator/plan/water/hole_groups.h"
 

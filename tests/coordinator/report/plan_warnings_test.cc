@@ -77,6 +77,8 @@ TEST(PlanWarningsTest, SaysThatSinglePrecisionIsTooCoarse) {
   EXPECT_THAT(PlanWarnings(plan), IsEmpty());
   plan.lattice_step = 0.25;
   EXPECT_THAT(PlanWarnings(plan), ElementsAre(HasSubstr("0.25 m apart")));
+  plan.single_mesh = true;  // its step is that of its edges
+  EXPECT_THAT(PlanWarnings(plan), IsEmpty());
 }
 
 }  // namespace

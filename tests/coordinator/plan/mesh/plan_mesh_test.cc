@@ -22,6 +22,7 @@ TEST(PlanMeshTest, LaysALatticeThatSuitsTheEdges) {
   for (Point3& p : mesh.points) p *= 0x1p-30;
   const MeshReading small(mesh);
   EXPECT_EQ(PlanMesh(small.input, {}).lattice_step, step * 0x1p-30);
+  EXPECT_TRUE(PlanMesh(small.input, {}).single_mesh);
 }
 
 TEST(PlanMeshTest, HasAnUpOnlyWhereWaterIsLookedFor) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "coordinator/plan/types/left_reasons.h"
 #include "coordinator/plan/water/water_answers.h"
 
 namespace tilemend {
