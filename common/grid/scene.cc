@@ -53,7 +53,8 @@ absl::Status CheckTreesOfObjects(const Scene& scene) {
   if (!IsObjectPath(scene.root)) return absl::OkStatus();
   for (const SceneTile& tile : scene.tiles) {
     if (!IsTileTree(tile.path)) continue;
-    return absl::InvalidArgumentError(absl::StrCat(scene.root, "/", tile.path, ": trees of files, OSGB and 3D Tiles, are ",
+    return absl::InvalidArgumentError(absl::StrCat(scene.root, "/", tile.path,
+                                                   ": trees of files, OSGB and 3D Tiles, are ",
                                                    "read from folders only; copy the scene to a folder"));
   }
   return absl::OkStatus();

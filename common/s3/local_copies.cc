@@ -27,8 +27,7 @@ LocalCopies::~LocalCopies() {
 
 absl::StatusOr<int> LocalCopies::NewFile() const {
   std::error_code error;
-  const std::string folder =
-      folder_.empty() ? std::filesystem::temp_directory_path(error).string() : folder_;
+  const std::string folder = folder_.empty() ? std::filesystem::temp_directory_path(error).string() : folder_;
   std::string name = folder + "/tilemend-object-XXXXXX";
   const int file = ::mkostemp(name.data(), O_CLOEXEC);
   if (file < 0) return WriteErrnoStatus(errno, "cannot make a file for copies of objects", folder);

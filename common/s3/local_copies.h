@@ -11,8 +11,8 @@
 
 namespace tilemend {
 
-// Keeps up to `most` bytes, and drops those first that were not used for the longest time. The files have no names: they
-// are gone when the process is, however it ends. Thread-safe.
+// Keeps up to `most` bytes, and drops those first that were not used for the longest time. The files have no names:
+// they are gone when the process is, however it ends. Thread-safe.
 class LocalCopies {
  public:
   // `folder` is where the files lie; "" for that of temporary files.

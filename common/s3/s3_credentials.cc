@@ -87,7 +87,8 @@ absl::StatusOr<RoleCredentials> S3CredentialSource::Find(absl::Time now) const {
   }
   return WithErrorInfo(absl::PermissionDeniedError(absl::StrCat(
                            "no credentials for the object store: neither AWS_ACCESS_KEY_ID and AWS_SECRET_ACCESS_KEY, "
-                           "nor a profile [", profile, "] in ", file, ", nor a role of this machine")),
+                           "nor a profile [",
+                           profile, "] in ", file, ", nor a role of this machine")),
                        {"OBJECT_STORE_REFUSED", {}});
 }
 

@@ -146,18 +146,37 @@ void SetBody(CURL* curl, Exchange& exchange) {
   curl_easy_setopt(curl, CURLOPT_INFILESIZE_LARGE, static_cast<curl_off_t>(exchange.to_send.size()));
 }
 
+// To be called last: the headers are signed, too.
+void Sign(CURL* curl, const S3Credentials& credentials, const std::string& region, HeaderList& headers) {
+  // Seconds without a byte, not of the whole: large tiles over slow lines take their time.
+  curl_easy_setopt(curl, CURLOPT_CONNECTTIMEOUT, 10L);
+  curl_easy_setopt(curl, CURLOPT_LOW_SPEED_LIMIT, 1L);
+  curl_easy_setopt(curl, CURLOPT_LOW_SPEED_TIME, kSilentSeconds);
+  const std::string signing = absl::StrCat("aws:amz:", region, ":s3");
+  curl_easy_setopt(curl, CURLOPT_AWS_SIGV4, signing.c_str());
+  curl_easy_setopt(curl, CURLOPT_USERNAME, credentials.key_id.c_str());
+  curl_easy_setopt(curl, CURLOPT_PASSWORD, credentials.secret.c_str());
+  if (!credentials.session_token.empty()) {
+    headers.Add(absl::StrCat("x-amz-security-token: ", credentials.session_token));
+  }
+  curl_easy_setopt(curl, CURLOPT_HTTPHEADER, headers.get());
+}
+
 // Whether an ETag is the MD5 of a content, which one of an object in parts is not.
 bool IsMd5(const std::string& etag) {
-  return etag.size() == 32 && std::all_of(etag.begin(), etag.end(), [](unsigned char c) { return absl::ascii_isxdigit(c); });
+  return etag.size() == 32 &&
+         std::all_of(etag.begin(), etag.end(), [](unsigned char c) { return absl::ascii_isxdigit(c); });
 }
 
 absl::Status Unreachable(const std::string& path, const std::string& why) {
-  return WithErrorInfo(absl::UnavailableError(absl::StrCat(Printable(path), ": ", why)), {"OBJECT_STORE_UNREACHABLE", {}});
+  return WithErrorInfo(absl::UnavailableError(absl::StrCat(Printable(path), ": ", why)),
+                       {"OBJECT_STORE_UNREACHABLE", {}});
 }
 
 absl::Status Refused(const std::string& path, const std::string& why) {
-  return WithErrorInfo(absl::PermissionDeniedError(absl::StrCat(Printable(path), ": the object store refuses it: ", why)),
-                       {"OBJECT_STORE_REFUSED", {}});
+  return WithErrorInfo(
+      absl::PermissionDeniedError(absl::StrCat(Printable(path), ": the object store refuses it: ", why)),
+      {"OBJECT_STORE_REFUSED", {}});
 }
 
 // Texts of a store: what it echoes of a request, as a key's id, is in the message alone, which is left out for 403.
@@ -186,7 +205,8 @@ absl::Duration DelayBefore(int tried, absl::Duration unit) {
 absl::Status CheckContent(const S3Request& request, const std::string& path, Exchange& exchange) {
   const bool sends_object = request.method == "PUT" && !request.body.empty();
   if (sends_object) exchange.md5.Update(request.body);
-  if ((request.to_file < 0 && !sends_object) || !exchange.has_md5 || !IsMd5(exchange.answer.etag)) return absl::OkStatus();
+  if ((request.to_file < 0 && !sends_object) || !exchange.has_md5 || !IsMd5(exchange.answer.etag))
+    return absl::OkStatus();
   if (absl::AsciiStrToLower(exchange.answer.etag) == exchange.md5.FinishHex()) return absl::OkStatus();
   return Unreachable(path, sends_object ? "the object store has other bytes than were sent"
                                         : "other bytes came than the object's checksum (ETag) says");
@@ -213,25 +233,17 @@ S3Requests::Outcome S3Requests::Try(const S3Request& request, const std::string&
   Exchange exchange;
   exchange.to_send = request.body;
   exchange.to_file = request.to_file;
-  const std::string url = UrlOf(address_, request.path, request.query);
-  SetCommon(curl, request.method, url, exchange);
+  SetCommon(curl, request.method, UrlOf(address_, request.path, request.query), exchange);
   if (request.method == "PUT" || request.method == "POST") SetBody(curl, exchange);
-  // Seconds without a byte, not of the whole: large tiles over slow lines take their time.
-  curl_easy_setopt(curl, CURLOPT_CONNECTTIMEOUT, 10L);
-  curl_easy_setopt(curl, CURLOPT_LOW_SPEED_LIMIT, 1L);
-  curl_easy_setopt(curl, CURLOPT_LOW_SPEED_TIME, kSilentSeconds);
-  const std::string signing = absl::StrCat("aws:amz:", address_.region, ":s3");
-  curl_easy_setopt(curl, CURLOPT_AWS_SIGV4, signing.c_str());
-  curl_easy_setopt(curl, CURLOPT_USERNAME, credentials->key_id.c_str());
-  curl_easy_setopt(curl, CURLOPT_PASSWORD, credentials->secret.c_str());
   HeaderList headers;
   headers.Add(absl::StrCat("x-amz-content-sha256: ", digest));
-  if (!credentials->session_token.empty()) headers.Add(absl::StrCat("x-amz-security-token: ", credentials->session_token));
   for (const std::string& header : request.headers) headers.Add(header);
-  curl_easy_setopt(curl, CURLOPT_HTTPHEADER, headers.get());
+  Sign(curl, *credentials, address_.region, headers);
   const CURLcode result = curl_easy_perform(curl);
   if (exchange.file_failed) {
-    return {absl::ResourceExhaustedError(absl::StrCat(path, ": no room for its local copy; set TMPDIR to a larger disk")), {}};
+    return {
+        absl::ResourceExhaustedError(absl::StrCat(path, ": no room for its local copy; set TMPDIR to a larger disk")),
+        {}};
   }
   if (result != CURLE_OK) return {Unreachable(path, curl_easy_strerror(result)), {}};
   long code = 0;  // NOLINT(google-runtime-int): libcurl's type
@@ -252,8 +264,8 @@ absl::StatusOr<S3Answer> S3Requests::Send(const S3Request& request, const std::s
     if (outcome.status.ok()) return std::move(outcome.answer);
     if (!IsWorthAnotherTry(outcome.status)) return outcome.status;
     if (tried >= patience_.tries) {
-      return Unreachable(path, absl::StrCat(std::string(outcome.status.message()).substr(Printable(path).size() + 2), " (",
-                                            tried, " tries)"));
+      return Unreachable(path, absl::StrCat(std::string(outcome.status.message()).substr(Printable(path).size() + 2),
+                                            " (", tried, " tries)"));
     }
     absl::SleepFor(DelayBefore(tried, patience_.unit));
   }

@@ -32,8 +32,8 @@ struct S3Answer {
 };
 
 // How often and when a request is tried again: after 503 and other 5xx, 429, a lost connection, 30 s without a byte, a
-// body that is not what its ETag says. Before the n-th try it waits up to 2^n times `unit`, at most 20 s, a random share
-// of it ("full jitter", as the SDKs of Amazon do).
+// body that is not what its ETag says. Before the n-th try it waits up to 2^n times `unit`, at most 20 s, a random
+// share of it ("full jitter", as the SDKs of Amazon do).
 struct S3Patience {
   int tries = 5;
   absl::Duration unit = absl::Seconds(1);

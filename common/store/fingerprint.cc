@@ -43,7 +43,8 @@ bool HaveSameContent(const std::string& a, const std::string& b) {
   std::error_code error;
   if (std::filesystem::equivalent(a, b, error)) return true;
   const bool in_store = IsObjectPath(a) || IsObjectPath(b);
-  if (!in_store && (error || std::filesystem::file_size(a, error) != std::filesystem::file_size(b, error) || error)) return false;
+  if (!in_store && (error || std::filesystem::file_size(a, error) != std::filesystem::file_size(b, error) || error))
+    return false;
   const auto digest = DigestOfFile(a);
   return digest.ok() && DigestOfFile(b).value_or("") == *digest;
 }

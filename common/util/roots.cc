@@ -100,9 +100,8 @@ int Roots::OpenFile(const std::string& path, int flags, mode_t mode) const {
 
 // Keys are not paths: ".." is a name like any other, so that the text alone says where an object is.
 bool Roots::HasObject(const std::string& path) const {
-  return std::any_of(prefixes_.begin(), prefixes_.end(), [&](const std::string& prefix) {
-    return path == prefix || path.starts_with(prefix + "/");
-  });
+  return std::any_of(prefixes_.begin(), prefixes_.end(),
+                     [&](const std::string& prefix) { return path == prefix || path.starts_with(prefix + "/"); });
 }
 
 absl::Status Roots::Check(const std::string& path) const {

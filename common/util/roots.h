@@ -18,8 +18,9 @@ namespace tilemend {
 // Thread-safe. Needs Linux 5.6 (openat2).
 class Roots {
  public:
-  // Absolute paths of folders, and s3://BUCKET[/PREFIX] (object_store.h). Folders are what the names lead to now, however the links in them change. Errors:
-  // kInvalidArgument for a path that is not absolute, kNotFound, kUnimplemented for an older kernel.
+  // Absolute paths of folders, and s3://BUCKET[/PREFIX] (object_store.h). Folders are what the names lead to now,
+  // however the links in them change. Errors: kInvalidArgument for a path that is not absolute, kNotFound,
+  // kUnimplemented for an older kernel.
   static absl::StatusOr<std::shared_ptr<const Roots>> Open(const std::vector<std::string>& folders);
   ~Roots();
   Roots(const Roots&) = delete;

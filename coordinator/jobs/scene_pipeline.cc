@@ -64,8 +64,9 @@ std::vector<std::string> FirstOf(std::vector<std::string> warnings) {
 // What says where a folder of photogrammetry tiles lies.
 absl::Status CarryMetadata(const Scene& scene, OutputFolder& output) {
   const std::string from = absl::StrCat(scene.root, "/", kMetadataFile);
-  TILEMEND_ASSIGN_OR_RETURN(const bool is_there, IsThere(from));
-  if (!is_there) return absl::OkStatus();
+  const auto look = LookAt(from);
+  if (IsObjectPath(from) && !look.ok() && !absl::IsNotFound(look.status())) return look.status();
+  if (!look.ok() || look->kind != PathKind::kFile) return absl::OkStatus();
   output.Adopt({kMetadataFile});
   return CarryFile(from, absl::StrCat(output.path(), "/", kMetadataFile), Carry::kCopy);
 }

@@ -10,8 +10,8 @@
 
 namespace tilemend {
 
-// Held by one job at a time. In a folder the file is locked, against every process on every machine that the file system
-// has locks for. An object has no lock: there it is held against other jobs of this process alone.
+// Held by one job at a time. In a folder the file is locked, against every process on every machine that the file
+// system has locks for. An object has no lock: there it is held against other jobs of this process alone.
 class JobMarker {
  public:
   virtual ~JobMarker() = default;

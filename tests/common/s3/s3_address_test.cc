@@ -27,7 +27,8 @@ TEST(S3AddressTest, SplitsBucketAndKey) {
 }
 
 TEST(S3AddressTest, RefusesWhatIsNoBucket) {
-  for (const char* path : {"s3://", "s3:///key", "s3://a b/key", "s3://host:80/key", "s3://user@host/key", "/a/folder"}) {
+  for (const char* path :
+       {"s3://", "s3:///key", "s3://a b/key", "s3://host:80/key", "s3://user@host/key", "/a/folder"}) {
     EXPECT_EQ(ParseS3Path(path).status().code(), absl::StatusCode::kInvalidArgument) << path;
   }
 }

@@ -6,7 +6,8 @@ namespace tilemend {
 namespace {
 
 TEST(S3AnswersTest, ReadsAnError) {
-  const S3Error error = ErrorInAnswer("<?xml version=\"1.0\"?><Error><Code>NoSuchKey</Code><Message>no</Message></Error>");
+  const S3Error error =
+      ErrorInAnswer("<?xml version=\"1.0\"?><Error><Code>NoSuchKey</Code><Message>no</Message></Error>");
   EXPECT_EQ(error.code, "NoSuchKey");
   EXPECT_EQ(error.message, "no");
   EXPECT_EQ(ErrorInAnswer("").code, "");

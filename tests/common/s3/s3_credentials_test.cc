@@ -46,8 +46,9 @@ TEST_F(S3CredentialsTest, TakesTheEnvironmentFirst) {
 }
 
 TEST_F(S3CredentialsTest, TakesTheProfileOfAFile) {
-  WriteFile("# mine\n[default]\naws_access_key_id=a\naws_secret_access_key=b\n[city]\naws_access_key_id = c\n"
-            "aws_secret_access_key = d=e\n");
+  WriteFile(
+      "# mine\n[default]\naws_access_key_id=a\naws_secret_access_key=b\n[city]\naws_access_key_id = c\n"
+      "aws_secret_access_key = d=e\n");
   values_["AWS_PROFILE"] = "city";
   auto source = Source();
   const auto found = source.Get(absl::Now());
@@ -80,7 +81,8 @@ TEST_F(S3CredentialsTest, AsksForTheRoleOfTheMachineBeforeItExpires) {
   httplib::Server server;
   std::atomic<int> asked{0};
   server.Put("/latest/api/token", [](const httplib::Request&, httplib::Response& answer) { answer.body = "t1"; });
-  server.Get("/latest/meta-data/iam/security-credentials/(.*)", [&](const httplib::Request& request, httplib::Response& answer) {
+  server.Get("/latest/meta-data/iam/security-credentials/(.*)", [&](const httplib::Request& request,
+                                                                    httplib::Response& answer) {
     if (request.get_header_value("X-aws-ec2-metadata-token") != "t1") {
       answer.status = 401;
     } else if (request.matches[1] == "") {
