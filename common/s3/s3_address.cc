@@ -60,7 +60,8 @@ std::string UrlOf(const S3Address& address, const S3Path& path, const std::map<s
   std::string url = by_host                    ? absl::StrCat("https://", path.bucket, ".", amazon)
                     : address.endpoint.empty() ? absl::StrCat("https://", amazon, "/", path.bucket)
                                                : absl::StrCat(address.endpoint, "/", path.bucket);
-  absl::StrAppend(&url, "/", PercentEncoded(path.key, true));
+  // A bucket that is asked by path has no slash at its end: servers differ in whether they sign one.
+  if (by_host || !path.key.empty()) absl::StrAppend(&url, "/", PercentEncoded(path.key, true));
   char separator = '?';
   for (const auto& [name, value] : query) {
     absl::StrAppend(&url, std::string(1, separator), PercentEncoded(name, false), "=", PercentEncoded(value, false));

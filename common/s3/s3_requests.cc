@@ -276,6 +276,7 @@ std::optional<std::string> AskMetadata(const std::string& method, const std::str
   if (curl == nullptr) return std::nullopt;
   Exchange exchange;
   SetCommon(curl, method, url, exchange);
+  if (method == "PUT") SetBody(curl, exchange);
   HeaderList headers;
   headers.Add(header);
   curl_easy_setopt(curl, CURLOPT_HTTPHEADER, headers.get());

@@ -234,7 +234,10 @@ absl::StatusOr<int64_t> CarryToObject(const std::string& from, const std::string
   }
   TILEMEND_RETURN_IF_ERROR(ObjectsFor(from).status());
   TILEMEND_ASSIGN_OR_RETURN(const ObjectLook look, objects->Look(from));
-  TILEMEND_RETURN_IF_ERROR(objects->Copy(from, to));
+  const absl::Status copied = objects->Copy(from, to);
+  // It was there a moment ago: missing is what a caller may do without.
+  if (absl::IsNotFound(copied)) return absl::UnavailableError(copied.message());
+  TILEMEND_RETURN_IF_ERROR(copied);
   return look.size;
 }
 

@@ -65,11 +65,11 @@ class Test:
 
     def same_as_folder(self):
         self.scene = obj_scene(os.path.join(self.folder, 'scene'))
-        self.server.upload(self.scene, 'city/a scene+1')
+        self.server.upload(self.scene, 'city/a scene')
         done = self.run('run', self.scene, '--out', os.path.join(self.folder, 'out'))
         expect(done.returncode == 0, done.stderr)
         self.wanted = files_below(os.path.join(self.folder, 'out'))
-        self.in_store = f's3://{BUCKET}/city/a scene+1'
+        self.in_store = f's3://{BUCKET}/city/a scene'
         self.good_run('plain')
 
     def good_run(self, name):
@@ -101,7 +101,7 @@ class Test:
         self.fails(['t0.obj', 'checksum'], 'run', self.in_store, '--out', out)
         self.server.spoil()
         expect('report.json' not in self.server.objects('out/no/'), 'a report of a job that failed')
-        self.fails(['exists already'], 'run', self.in_store, '--out', f's3://{BUCKET}/out/plain', '--fill', 'none')
+        self.fails(['--overwrite'], 'run', self.in_store, '--out', f's3://{BUCKET}/out/plain')
 
     def credentials_in_file(self):
         path = os.path.join(self.folder, 'credentials')

@@ -57,7 +57,7 @@ TEST(S3AddressTest, EncodesKeys) {
 
 TEST(S3AddressTest, SortsAndEncodesTheQuery) {
   EXPECT_EQ(UrlOf({"http://h", "r"}, {"b", ""}, {{"prefix", "a/+"}, {"delimiter", "/"}, {"uploads", ""}}),
-            "http://h/b/?delimiter=%2F&prefix=a%2F%2B&uploads=");
+            "http://h/b?delimiter=%2F&prefix=a%2F%2B&uploads=");
 }
 
 }  // namespace

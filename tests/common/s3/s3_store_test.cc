@@ -44,7 +44,7 @@ TEST_F(S3StoreTest, ListsPageByPage) {
   ASSERT_EQ(entries->size(), 2U);
   EXPECT_EQ(entries->front().name, "a");
   EXPECT_TRUE(entries->front().is_folder);
-  EXPECT_EQ(requests_.back().target, "/city/?delimiter=%2F&list-type=2&prefix=out%2F");
+  EXPECT_EQ(requests_.back().target, "/city?delimiter=%2F&list-type=2&prefix=out%2F");
 }
 
 TEST_F(S3StoreTest, KnowsAnEmptyFolderFromAnEmptyBucket) {
