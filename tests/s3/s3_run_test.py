@@ -128,7 +128,8 @@ class Test:
             done = self.run('watch', name, *words)
             expect(done.returncode == 0, done.stdout + done.stderr + open(logs[0]).read() + open(logs[1]).read())
             found = self.server.objects('out/cluster/')
-            same_output(found | {'report.html': b''}, self.wanted)
+            beside = {'report.html': b'', 'holes.csv': self.wanted['holes.csv']}  # which `run` adds, and `report --html`
+            same_output(found | beside, self.wanted)
             expect(json.loads(found['report.json'])['holes'], 'a report without holes')
             self.fails(['--root'], 'submit', self.in_store, '--out', f's3://{BUCKET}/elsewhere', *words)
             self.fails(['--root'], 'submit', self.scene, '--out', f's3://{BUCKET}/out/other', *words)
