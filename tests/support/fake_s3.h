@@ -35,7 +35,6 @@ class FakeS3 : public testing::Test {
     };
     server_.Get(".*", handle);
     server_.Put(".*", handle);
-    server_.Delete(".*", handle);
     port_ = server_.bind_to_any_port("127.0.0.1");
     serving_ = std::thread([this] { server_.listen_after_bind(); });
     values_ = {{"AWS_ENDPOINT_URL", "http://127.0.0.1:" + std::to_string(port_)},
