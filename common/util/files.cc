@@ -33,7 +33,12 @@ namespace {
 absl::StatusOr<int> OpenToRead(const std::string& path) {
   if (IsObjectPath(path)) {
     TILEMEND_ASSIGN_OR_RETURN(ObjectStore* const objects, ObjectsFor(path));
-    return objects->Open(path);
+    TILEMEND_ASSIGN_OR_RETURN(const int shared, objects->Open(path));
+    const Descriptor copy(shared);
+    // Opened anew: what reads it has an offset of its own.
+    const int own = ::open(absl::StrCat("/proc/self/fd/", copy.get()).c_str(), O_RDONLY | O_CLOEXEC);
+    if (own < 0) return ErrnoStatus(errno, "cannot open its local copy", path);
+    return own;
   }
   const int file = OpenKept(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file < 0) return ErrnoStatus(errno, "cannot open", path);
