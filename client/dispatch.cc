@@ -10,6 +10,7 @@
 #include "client/output.h"
 #include "common/util/exit_codes.h"
 #include "common/util/manual.h"
+#include "common/util/object_store.h"
 #include "common/util/settings.h"
 #include "common/util/standard_streams.h"
 #include "common/util/text.h"
@@ -78,6 +79,15 @@ int UsageError(const std::string& text) {
   return kExitUsage;
 }
 
+// Whether a command that works on folders alone is given an object of a store.
+bool NamesObjects(const Command& command, const std::vector<std::string>& words) {
+  constexpr const char* kForObjects[] = {"run", "submit", "inspect", "report"};
+  if (std::ranges::find(kForObjects, command.name) != std::end(kForObjects)) return false;
+  return std::ranges::any_of(words, [](const std::string& word) {
+    return IsObjectPath(word) || IsObjectPath(word.substr(word.find('=') + 1));
+  });
+}
+
 int RunParsed(const Command& command, const std::vector<std::string>& words) {
   auto settings = ReadSettings(command.flags, UsualFile(std::getenv), std::getenv);
   // As under sudo, where it is the file of another user. One that is named is wanted.
@@ -103,6 +113,10 @@ int RunParsed(const Command& command, const std::vector<std::string>& words) {
     if (!args->Text(name).empty()) continue;
     const char* hint = name == "out" ? " (-o is the form of what is printed)" : "";
     return UsageError(absl::StrCat(command.name, ": --", name, " is needed", hint));
+  }
+  if (NamesObjects(command, words)) {
+    return UsageError(
+        absl::StrCat(command.name, ": s3:// paths are for run, submit, inspect and report; copy to a folder"));
   }
   try {
     const int code = command.run(*args);

@@ -25,6 +25,8 @@
 #include "client/water_table.h"
 #include "common/gis/area_file.h"
 #include "common/util/files.h"
+#include "common/util/folders.h"
+#include "common/util/object_store.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "coordinator/plan/rim/area_proposal.h"
@@ -276,9 +278,10 @@ int InspectCommand(const Args& args) {
   const auto format = FormatFromFlags(args);
   if (!format.ok()) return PrintUsageError(format.status());
   const std::string& path = args.arguments().front();
-  std::error_code error;
-  if (!std::filesystem::exists(path, error) && !error)
-    return PrintError(absl::NotFoundError(absl::StrCat(path, ": no such file or folder")));
+  if (const auto look = LookAt(path); absl::IsNotFound(look.status()) || (IsObjectPath(path) && !look.ok())) {
+    return PrintError(IsObjectPath(path) ? look.status()
+                                         : absl::NotFoundError(absl::StrCat(path, ": no such file or folder")));
+  }
   auto spec = SpecFromFlags(args, kOfInspect);
   if (!spec.ok()) return PrintUsageError(spec.status());
   const bool mesh = IsSingleMesh(path);

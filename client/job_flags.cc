@@ -13,7 +13,8 @@ namespace tilemend {
 namespace {
 
 std::string AbsolutePath(const std::string& path) {
-  if (path.empty() || path.find("://") != std::string::npos) return path;
+  if (path.find("://") != std::string::npos) return path.substr(0, path.find_last_not_of('/') + 1);
+  if (path.empty()) return path;
   std::error_code error;
   const std::filesystem::path absolute = std::filesystem::absolute(path, error);
   if (error) return path;

@@ -25,6 +25,7 @@
 #include "common/rpc/credentials.h"
 #include "common/rpc/endpoint.h"
 #include "common/rpc/status_flags.h"
+#include "common/s3/s3_store.h"
 #include "common/service/service_notifier.h"
 #include "common/util/build_id.h"
 #include "common/util/exit_codes.h"
@@ -144,7 +145,7 @@ int Fail(const absl::Status& status, int code) {
 
 // Jobs keep to the folders of --root, the program itself to these and its work folder.
 absl::Status KeepToRoots(const Flags& flags, CoordinatorOptions& options) {
-  std::vector<std::string> folders = absl::StrSplit(flags.Text("root"), ':', absl::SkipEmpty());
+  std::vector<std::string> folders = RootsInFlag(flags.Text("root"));
   if (folders.empty()) return absl::OkStatus();
   TILEMEND_ASSIGN_OR_RETURN(options.roots, Roots::Open(folders));
   std::error_code error;
@@ -351,6 +352,7 @@ int Main(const std::vector<std::string>& words) {
   const char* failpoint = std::getenv("TILEMEND_FAILPOINT");
   const absl::Status armed = ArmFailPoint(failpoint == nullptr ? "" : failpoint);
   if (!armed.ok()) return Fail(armed, kExitUsage);
+  if (const absl::Status store = UseS3(); !store.ok()) return Fail(store, kExitUsage);
   const absl::Status status = WithoutExceptions([&] { return Serve(*flags, *std::move(options)); });
   return status.ok() ? static_cast<int>(kExitDone) : Fail(status, ExitCodeOf(status));
 }

@@ -15,7 +15,7 @@ import sys
 # Third-party libraries by the beginning of an include path. Longer beginnings are tried first.
 LIBRARIES = {
     'absl/': 'absl', 'Eigen/': 'eigen', 'unsupported/Eigen/': 'eigen', 'OpenMesh/': 'openmesh', 'draco/': 'draco', 'fast_float/': 'fast_float', 'meshoptimizer': 'meshoptimizer',
-    'nlohmann/': 'json', 'pugixml': 'pugixml', 'openssl/': 'openssl', 'grpc/': 'grpc', 'grpcpp/': 'grpc',
+    'nlohmann/': 'json', 'pugixml': 'pugixml', 'curl/': 'curl', 'openssl/': 'openssl', 'grpc/': 'grpc', 'grpcpp/': 'grpc',
     'google/protobuf/': 'protobuf', 'google/rpc/': 'protobuf', 'prometheus/': 'prometheus', 'httplib': 'httplib', 'systemd/': 'systemd', 'gtest/': 'gtest',
     'gmock/': 'gtest', 'gdal': 'gdal', 'ogr': 'gdal', 'cpl_': 'gdal',
     'CLI/': 'cli11', 'turbojpeg': 'jpeg', 'png.h': 'png', 'polyclipping/': 'clipper', 'sqlite3': 'sqlite', 'libpq-fe.h': 'postgres', 'xxhash': 'xxhash', 'zlib.h': 'zlib', 'pybind11/': 'pybind11', 'proto/': 'protobuf', 'tilemend/v1/': 'protobuf', 'externalscaler/': 'protobuf',
@@ -65,6 +65,8 @@ RULES = {
     'common/image': rule(['common/util'], ['absl', 'jpeg', 'png']),
 
     'common/store': rule(['common/util'], ['absl', 'openssl', 'xxhash', 'zlib']),
+
+    'common/s3': rule(['common/util', 'common/store'], ['absl', 'curl', 'json', 'openssl', 'pugixml']),
 
     'common/http': rule([], ['absl', 'httplib', 'openssl']),
 
@@ -153,7 +155,7 @@ RULES = {
          'worker/fill/hole', 'worker/fill/shape', 'worker/fill/space', 'worker/fill/seam', 'worker/fill', 'worker/materials', 'worker/texture', 'common/image'],
         ['absl', 'eigen', 'grpc', 'protobuf']),
 
-    'worker': rule(['common/util', 'common/metrics', 'common/rpc', 'common/service', 'worker/service'], ['absl']),
+    'worker': rule(['common/util', 'common/metrics', 'common/rpc', 'common/s3', 'common/service', 'worker/service'], ['absl']),
 
     'coordinator/plan/types': rule(['common/grid', 'common/records'], [], pure=True),
 
@@ -221,7 +223,7 @@ RULES = {
         ['common/util', 'common/http', 'common/grid', 'common/rpc', 'common/store', 'coordinator/api', 'coordinator/report'], ['absl', 'json', 'protobuf']),
 
     'coordinator': rule(
-        ['common/util', 'common/metrics', 'common/rpc', 'common/service', 'coordinator/journal', 'coordinator/jobs', 'coordinator/api', 'coordinator/web'],
+        ['common/util', 'common/metrics', 'common/rpc', 'common/s3', 'common/service', 'coordinator/journal', 'coordinator/jobs', 'coordinator/api', 'coordinator/web'],
         ['absl']),
 
     # One mesh in this process: geometry without a service. The Python module includes it as well.
@@ -235,7 +237,7 @@ RULES = {
 
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
-        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/codec/tree', 'common/image', 'common/store', 'common/assemble', 'common/rpc', 'worker/survey', 'worker/ground', 'worker/propose',
+        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/codec/tree', 'common/image', 'common/store', 'common/assemble', 'common/rpc', 'common/s3', 'worker/survey', 'worker/ground', 'worker/propose',
          'worker/check', 'worker/materials', 'worker/service', 'client/mesh', 'coordinator/plan/rim', 'coordinator/waves', 'coordinator/report',
          'coordinator/jobs', 'coordinator/api'],
         ['absl', 'eigen', 'grpc', 'json', 'protobuf']),

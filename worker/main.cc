@@ -21,6 +21,7 @@
 #include "common/rpc/credentials.h"
 #include "common/rpc/endpoint.h"
 #include "common/rpc/status_flags.h"
+#include "common/s3/s3_store.h"
 #include "common/service/service_notifier.h"
 #include "common/util/build_id.h"
 #include "common/util/exit_codes.h"
@@ -102,7 +103,7 @@ int Fail(const absl::Status& status, int code) {
 }
 
 absl::Status KeepToRoots(const Flags& flags) {
-  const std::vector<std::string> folders = absl::StrSplit(flags.Text("root"), ':', absl::SkipEmpty());
+  const std::vector<std::string> folders = RootsInFlag(flags.Text("root"));
   if (folders.empty()) return absl::OkStatus();
   TILEMEND_ASSIGN_OR_RETURN(auto roots, Roots::Open(folders));
   KeepFilesTo(std::move(roots));
@@ -200,6 +201,7 @@ int Main(const std::vector<std::string>& words) {
   if (!options.ok()) return Fail(options.status(), kExitUsage);
   const auto task_memory = TaskMemoryFromFlags(*flags);
   if (!task_memory.ok()) return Fail(task_memory.status(), kExitUsage);
+  if (const absl::Status store = UseS3(); !store.ok()) return Fail(store, kExitUsage);
   const absl::Status status = WithoutExceptions([&] { return Work(*flags, *options, *task_memory); });
   return status.ok() ? static_cast<int>(kExitDone) : Fail(status, ExitCodeOf(status));
 }

@@ -11,8 +11,10 @@
 #include "absl/strings/str_cat.h"
 #include "common/grid/scene_sources.h"
 #include "common/util/folders.h"
+#include "common/util/object_store.h"
 #include "common/util/real_path.h"
 #include "common/util/status_macros.h"
+#include "common/util/tile_files.h"
 
 namespace tilemend {
 
@@ -28,7 +30,9 @@ bool IsTileFormat(const std::string& path) {
 }
 
 absl::StatusOr<bool> IsThere(const std::string& path) {
-  if (KindOf(path) != PathKind::kNothing) return true;
+  const auto found = LookAt(path);
+  if (found.ok()) return true;
+  if (IsObjectPath(path) && !absl::IsNotFound(found.status())) return found.status();
   if (!LookAt(path, Links::kKeep).ok()) return false;
   return absl::InvalidArgumentError(
       absl::StrCat(path, ": a link that leads to no file that can be read; remove it, or restore the file"));
@@ -44,8 +48,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Trees of files are read from folders only.
+absl::Status CheckTreesOfObjects(const Scene& scene) {
+  if (!IsObjectPath(scene.root)) return absl::OkStatus();
+  for (const SceneTile& tile : scene.tiles) {
+    if (!IsTileTree(tile.path)) continue;
+    return absl::InvalidArgumentError(absl::StrCat(scene.root, "/", tile.path,
+                                                   ": trees of files, OSGB and 3D Tiles, are ",
+                                                   "read from folders only; copy the scene to a folder"));
+  }
+  return absl::OkStatus();
+}
+
 // Somebody else's folder of tiles may hold links to files of who runs this.
 void WarnOfLinksOut(Scene& scene) {
+  if (IsObjectPath(scene.root)) return;  // without links
   const fs::path root = RealPath(scene.root);
   const auto leads_out = [&](const fs::path& path) { return !IsBelow(root, RealPath(path)); };
   std::map<std::string, bool> folders;  // whether they lead out
@@ -95,6 +112,7 @@ absl::StatusOr<Scene> LoadScene(const std::string& path, const BoundsReader& rea
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, Load(path, read_bounds, read_tileset));
   // Outputs have it beside a scene.json, too.
   TILEMEND_RETURN_IF_ERROR(IsThere((fs::path(scene.root) / "metadata.xml").string()).status());
+  TILEMEND_RETURN_IF_ERROR(CheckTreesOfObjects(scene));
   WarnOfLinksOut(scene);
   return scene;
 }

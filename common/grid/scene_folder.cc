@@ -56,13 +56,16 @@ std::optional<NameOfTile> ReadName(std::string_view stem) {
   return NameOfTile{{*col, *row}, TakeIndex(&stem).has_value()};
 }
 
-// The entries of a folder, sorted by name; none if there is no such folder.
-absl::StatusOr<std::vector<fs::path>> List(const fs::path& folder) {
-  std::vector<fs::path> entries;
-  if (KindOf(folder.string()) != PathKind::kFolder) return entries;
-  TILEMEND_ASSIGN_OR_RETURN(const std::vector<std::string> names, ListFolder(folder.string()));
-  for (const std::string& name : names) entries.push_back(folder / name);
-  return entries;
+// The entries of a folder that are of one kind, sorted by name; none if there is no such folder.
+absl::StatusOr<std::vector<fs::path>> List(const fs::path& folder, PathKind kind) {
+  std::vector<fs::path> found;
+  const auto entries = ListKinds(folder.string());
+  if (absl::IsNotFound(entries.status())) return found;
+  TILEMEND_RETURN_IF_ERROR(entries.status());
+  for (const FolderEntry& entry : *entries) {
+    if (entry.kind == kind) found.push_back(folder / entry.name);
+  }
+  return found;
 }
 
 // What was found in the folder, by names only.
@@ -90,10 +93,10 @@ void CheckIndices(const NameOfTile& name, const fs::path& entry, Findings* findi
 
 // Tiles that are files of `folder`.
 absl::Status FindFiles(const fs::path& folder, Findings* findings) {
-  TILEMEND_ASSIGN_OR_RETURN(const std::vector<fs::path> entries, List(folder));
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<fs::path> entries, List(folder, PathKind::kFile));
   for (const fs::path& entry : entries) {
     const std::optional<NameOfTile> name = ReadName(entry.stem().string());
-    if (!name.has_value() || KindOf(entry.string()) != PathKind::kFile) continue;
+    if (!name.has_value()) continue;
     if (IsTileTree(entry.string())) {
       findings->problem = absl::StrCat(entry.string(), ": an .osgb tile has to lie in a folder of its own, as ",
                                        entry.stem().string(), "/", entry.filename().string());
@@ -109,11 +112,10 @@ absl::Status FindFiles(const fs::path& folder, Findings* findings) {
 
 // The mesh of one tile folder: named as the folder, or the only one. Empty if there is none.
 absl::StatusOr<fs::path> MeshOfFolder(const fs::path& folder, Findings* findings) {
-  TILEMEND_ASSIGN_OR_RETURN(const std::vector<fs::path> entries, List(folder));
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<fs::path> entries, List(folder, PathKind::kFile));
   std::vector<fs::path> named;
   std::vector<fs::path> meshes;
   for (const fs::path& entry : entries) {
-    if (KindOf(entry.string()) != PathKind::kFile) continue;
     const bool same_name = entry.stem() == folder.filename();
     if (!IsTileFormat(entry.string())) {
       if (same_name && entry.extension() != ".mtl") findings->unread = entry.string();
@@ -140,9 +142,8 @@ void NoteUnnumbered(const fs::path& folder, Findings* findings) {
 
 // Tiles that are folders of `folder`.
 absl::Status FindFolders(const fs::path& folder, Findings* findings) {
-  TILEMEND_ASSIGN_OR_RETURN(const std::vector<fs::path> entries, List(folder));
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<fs::path> entries, List(folder, PathKind::kFolder));
   for (const fs::path& entry : entries) {
-    if (KindOf(entry.string()) != PathKind::kFolder) continue;
     const std::optional<NameOfTile> name = ReadName(entry.filename().string());
     if (!name.has_value()) {
       NoteUnnumbered(entry, findings);

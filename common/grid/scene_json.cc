@@ -15,6 +15,7 @@
 #include "common/mesh/outline_crossing.h"
 #include "common/util/files.h"
 #include "common/util/folders.h"
+#include "common/util/object_store.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "common/util/tile_files.h"
@@ -302,7 +303,10 @@ absl::StatusOr<Scene> ReadSceneJson(const std::string& json_path, const std::str
   for (const SceneTile& tile : scene.tiles) {
     if (tile.path.empty()) continue;
     const std::filesystem::path file = std::filesystem::path(root) / tile.path;
-    const PathKind kind = KindOf(file.string());
+    const auto look = LookAt(file.string());
+    // Not to be reached is not missing.
+    if (IsObjectPath(root) && !look.ok() && !absl::IsNotFound(look.status())) return look.status();
+    const PathKind kind = look.ok() ? look->kind : PathKind::kNothing;
     const std::string place = absl::StrCat(json_path, ": cell ", ToString(tile.cell), ": ", file.string());
     if (kind == PathKind::kNothing) return absl::NotFoundError(absl::StrCat(place, ": no such file"));
     if (kind != PathKind::kFile) return absl::InvalidArgumentError(absl::StrCat(place, ": not a file"));

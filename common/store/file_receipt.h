@@ -13,8 +13,8 @@ namespace tilemend {
 // within one tick of its clock may leave no trace. Renaming the file changes nothing of it.
 struct FileReceipt {
   int64_t bytes = 0;
-  uint64_t inode = 0;
-  int64_t modified = 0;  // nanoseconds since 1970
+  uint64_t inode = 0;    // of an object, the beginning of a digest of its ETag
+  int64_t modified = 0;  // nanoseconds since 1970; 0 of an object
   bool operator==(const FileReceipt&) const = default;
 };
 

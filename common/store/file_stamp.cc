@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "absl/strings/str_cat.h"
+#include "common/util/object_store.h"
 #include "common/util/place.h"
 
 namespace tilemend {
@@ -20,6 +21,13 @@ std::optional<struct stat> Look(const std::string& path) {
   return info;
 }
 
+// An ETag tells the content, so that no time is needed. "" if there is no such object.
+std::string StampOfObject(const std::string& path) {
+  const auto objects = ObjectsFor(path);
+  const auto look = objects.ok() ? (*objects)->Look(path) : objects.status();
+  return look.ok() ? absl::StrCat(look->etag, " ", look->size) : "";
+}
+
 std::string TextOf(const struct stat& info) {
   return absl::StrCat(info.st_ino, " ", info.st_size, " ", absl::ToUnixNanos(absl::TimeFromTimespec(info.st_mtim)), " ",
                       absl::ToUnixNanos(absl::TimeFromTimespec(info.st_ctim)));
@@ -28,17 +36,20 @@ std::string TextOf(const struct stat& info) {
 }  // namespace
 
 std::string StampOf(const std::string& path, absl::Time now) {
+  if (IsObjectPath(path)) return StampOfObject(path);
   const auto info = Look(path);
   return info && absl::TimeFromTimespec(info->st_ctim) + kCoarse < now ? TextOf(*info) : "";
 }
 
 std::string YoungStampOf(const std::string& path) {
+  if (IsObjectPath(path)) return StampOfObject(path);
   const auto info = Look(path);
   return info ? TextOf(*info) : "";
 }
 
 bool HasStamp(const std::string& path, const std::string& stamp) {
   if (stamp.empty()) return false;
+  if (IsObjectPath(path)) return StampOfObject(path) == stamp;
   const auto info = Look(path);
   return info && TextOf(*info) == stamp;
 }

@@ -7,6 +7,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/store/digest.h"
 #include "common/util/files.h"
+#include "common/util/object_store.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -41,7 +42,9 @@ absl::Status ChangedInJob(const std::string& path) {
 bool HaveSameContent(const std::string& a, const std::string& b) {
   std::error_code error;
   if (std::filesystem::equivalent(a, b, error)) return true;
-  if (error || std::filesystem::file_size(a, error) != std::filesystem::file_size(b, error) || error) return false;
+  const bool in_store = IsObjectPath(a) || IsObjectPath(b);
+  if (!in_store && (error || std::filesystem::file_size(a, error) != std::filesystem::file_size(b, error) || error))
+    return false;
   const auto digest = DigestOfFile(a);
   return digest.ok() && DigestOfFile(b).value_or("") == *digest;
 }

@@ -20,6 +20,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/util/failpoint.h"
+#include "common/util/object_store.h"
 #include "common/util/place.h"
 #include "common/util/real_path.h"
 #include "common/util/roots.h"
@@ -28,7 +29,21 @@
 namespace tilemend {
 namespace {
 
-int OpenToRead(const std::string& path) { return OpenKept(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK); }
+// The descriptor; of an object, that of a local copy.
+absl::StatusOr<int> OpenToRead(const std::string& path) {
+  if (IsObjectPath(path)) {
+    TILEMEND_ASSIGN_OR_RETURN(ObjectStore* const objects, ObjectsFor(path));
+    TILEMEND_ASSIGN_OR_RETURN(const int shared, objects->Open(path));
+    const Descriptor copy(shared);
+    // Opened anew: what reads it has an offset of its own.
+    const int own = ::open(absl::StrCat("/proc/self/fd/", copy.get()).c_str(), O_RDONLY | O_CLOEXEC);
+    if (own < 0) return ErrnoStatus(errno, "cannot open its local copy", path);
+    return own;
+  }
+  const int file = OpenKept(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (file < 0) return ErrnoStatus(errno, "cannot open", path);
+  return file;
+}
 
 int Remove(const Place& place) { return ::unlinkat(place.at(), place.name.c_str(), 0); }
 int Rename(const Place& from, const Place& to) {
@@ -178,6 +193,18 @@ absl::Status CheckSource(int file, const std::string& path, struct stat& info) {
   return absl::InvalidArgumentError(absl::StrCat(path, ": not a regular file"));
 }
 
+absl::Status PutObject(const std::string& path, std::string_view content) {
+  TILEMEND_ASSIGN_OR_RETURN(ObjectStore* const objects, ObjectsFor(path));
+  return objects->Put(path, content);
+}
+
+// For an object whose folder must be there: a key that begins as its folder. Another process may remove that one
+// between this and the next request.
+absl::Status CheckFolderOfObject(const std::string& path) {
+  TILEMEND_ASSIGN_OR_RETURN(ObjectStore* const objects, ObjectsFor(path));
+  return objects->List(path.substr(0, path.rfind('/'))).status();
+}
+
 // Fills `room` from `offset` on; returns how many bytes there were: fewer if the file has shrunk.
 absl::StatusOr<size_t> ReadInto(int file, int64_t offset, std::span<char> room, const std::string& path) {
   size_t have = 0;
@@ -201,18 +228,51 @@ absl::StatusOr<std::string> ReadRange(int file, int64_t offset, int64_t length, 
   return content;
 }
 
+// Gives the object `to` the content of `from`, a file or an object; returns its size.
+absl::StatusOr<int64_t> CarryToObject(const std::string& from, const std::string& to) {
+  if (from == to) return absl::InvalidArgumentError(absl::StrCat(from, ": would be written over itself"));
+  TILEMEND_ASSIGN_OR_RETURN(ObjectStore* const objects, ObjectsFor(to));
+  if (!IsObjectPath(from)) {
+    TILEMEND_ASSIGN_OR_RETURN(const std::string content, ReadFile(from));
+    TILEMEND_RETURN_IF_ERROR(objects->Put(to, content));
+    return static_cast<int64_t>(content.size());
+  }
+  TILEMEND_RETURN_IF_ERROR(ObjectsFor(from).status());
+  TILEMEND_ASSIGN_OR_RETURN(const ObjectLook look, objects->Look(from));
+  const absl::Status copied = objects->Copy(from, to);
+  // It was there a moment ago: missing is what a caller may do without.
+  if (absl::IsNotFound(copied)) return absl::UnavailableError(copied.message());
+  TILEMEND_RETURN_IF_ERROR(copied);
+  return look.size;
+}
+
+// Objects have no other name: a copy, and then the old one is removed.
+absl::Status MoveObject(const std::string& from, const std::string& to) {
+  if (!IsObjectPath(from) || !IsObjectPath(to)) {
+    return absl::InvalidArgumentError(absl::StrCat(from, ": cannot move it to ", to));
+  }
+  const auto size = CarryToObject(from, to);
+  if (absl::IsNotFound(size.status())) return absl::NotFoundError(absl::StrCat(from, ": is gone"));
+  TILEMEND_RETURN_IF_ERROR(size.status());
+  FailPoint("file.moved");
+  TILEMEND_ASSIGN_OR_RETURN(ObjectStore* const objects, ObjectsFor(from));
+  return objects->Remove(from);
+}
+
 }  // namespace
 
 absl::StatusOr<std::string> ReadFile(const std::string& path) {
   struct stat info {};
-  const Descriptor file(OpenToRead(path));
+  TILEMEND_ASSIGN_OR_RETURN(const int opened, OpenToRead(path));
+  const Descriptor file(opened);
   TILEMEND_RETURN_IF_ERROR(CheckSource(file.get(), path, info));
   return ReadRange(file.get(), 0, info.st_size, path);
 }
 
 absl::StatusOr<std::string> ReadFileUpTo(const std::string& path, int64_t most) {
   struct stat info {};
-  const Descriptor file(OpenToRead(path));
+  TILEMEND_ASSIGN_OR_RETURN(const int opened, OpenToRead(path));
+  const Descriptor file(opened);
   TILEMEND_RETURN_IF_ERROR(CheckSource(file.get(), path, info));
   if (info.st_size <= most) return ReadRange(file.get(), 0, info.st_size, path);
   constexpr int64_t kMebibyte = 1 << 20;
@@ -229,7 +289,8 @@ absl::StatusOr<std::string> ReadOwnFile(const std::string& path) {
 
 absl::StatusOr<FileEnds> ReadFileEnds(const std::string& path, int64_t most) {
   struct stat info {};
-  const Descriptor file(OpenToRead(path));
+  TILEMEND_ASSIGN_OR_RETURN(const int opened, OpenToRead(path));
+  const Descriptor file(opened);
   TILEMEND_RETURN_IF_ERROR(CheckSource(file.get(), path, info));
   FileEnds ends{info.st_size, "", ""};
   const int64_t length = std::min<int64_t>(most, info.st_size);
@@ -240,7 +301,8 @@ absl::StatusOr<FileEnds> ReadFileEnds(const std::string& path, int64_t most) {
 
 absl::Status ReadInPieces(const std::string& path, int64_t most, const std::function<void(std::string_view)>& take) {
   struct stat info {};
-  const Descriptor file(OpenToRead(path));
+  TILEMEND_ASSIGN_OR_RETURN(const int opened, OpenToRead(path));
+  const Descriptor file(opened);
   TILEMEND_RETURN_IF_ERROR(CheckSource(file.get(), path, info));
   // One room for all pieces: new memory for each costs more than to read it.
   std::string room(static_cast<size_t>(std::min<int64_t>(most, info.st_size)), '\0');
@@ -253,10 +315,15 @@ absl::Status ReadInPieces(const std::string& path, int64_t most, const std::func
 }
 
 absl::Status WriteFileAtomically(const std::string& path, std::string_view content, Sync sync) {
+  if (IsObjectPath(path)) return PutObject(path, content);
   return WriteInPlace(path, sync, [&](int file) { return WriteAll(file, content, path); });
 }
 
 absl::Status WriteNewFile(const std::string& path, std::string_view content) {
+  if (IsObjectPath(path)) {
+    TILEMEND_RETURN_IF_ERROR(CheckFolderOfObject(path));
+    return PutObject(path, content);
+  }
   // A file that is synced at once gains nothing by the page cache but copies of all its bytes there.
   return WriteNew(path, path, Sync::kYes, [&](int file) {
     const size_t done = WriteBlocksDirectly(file, content);
@@ -265,8 +332,13 @@ absl::Status WriteNewFile(const std::string& path, std::string_view content) {
 }
 
 absl::StatusOr<int64_t> CarryToNewFile(const std::string& from, const std::string& to, Carry how) {
+  if (IsObjectPath(to)) {
+    TILEMEND_RETURN_IF_ERROR(CheckFolderOfObject(to));
+    return CarryToObject(from, to);
+  }
   struct stat info {};
-  const Descriptor source(OpenToRead(from));
+  TILEMEND_ASSIGN_OR_RETURN(const int opened, OpenToRead(from));
+  const Descriptor source(opened);
   TILEMEND_RETURN_IF_ERROR(CheckSource(source.get(), from, info));
   const bool linked = how == Carry::kLink && LinkNew(source.get(), to);
   if (!linked) {
@@ -277,6 +349,7 @@ absl::StatusOr<int64_t> CarryToNewFile(const std::string& from, const std::strin
 }
 
 absl::Status MoveFile(const std::string& from, const std::string& to) {
+  if (IsObjectPath(from) || IsObjectPath(to)) return MoveObject(from, to);
   TILEMEND_RETURN_IF_ERROR(MakeFoldersOf(to));
   const Place source(from), target(to);
   if (!source.ok()) return ErrnoStatus(source.error, "cannot open", from);
@@ -296,6 +369,7 @@ absl::Status MoveFile(const std::string& from, const std::string& to) {
 }
 
 absl::Status SyncFolder(const std::string& path) {
+  if (IsObjectPath(path)) return absl::OkStatus();
   const Descriptor folder(OpenKept(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder.get() < 0) return WriteErrnoStatus(errno, "cannot open", path);
   // Some file systems know no such thing.
@@ -304,8 +378,10 @@ absl::Status SyncFolder(const std::string& path) {
 }
 
 absl::Status CarryFile(const std::string& from, const std::string& to, Carry how) {
+  if (IsObjectPath(to)) return CarryToObject(from, to).status();
   struct stat info {};
-  const Descriptor source(OpenToRead(from));
+  TILEMEND_ASSIGN_OR_RETURN(const int opened, OpenToRead(from));
+  const Descriptor source(opened);
   TILEMEND_RETURN_IF_ERROR(CheckSource(source.get(), from, info));
   if (TakesThePlaceOf(from, to)) {
     return absl::InvalidArgumentError(absl::StrCat(from, ": would be written over itself"));

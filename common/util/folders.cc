@@ -9,7 +9,10 @@
 #include <cerrno>
 #include <memory>
 
+#include "absl/strings/str_cat.h"
+#include "common/util/object_store.h"
 #include "common/util/place.h"
+#include "common/util/status_macros.h"
 
 namespace tilemend {
 namespace {
@@ -45,6 +48,33 @@ int RemoveTreeAt(int at, const std::string& name) {
   return ::unlinkat(at, name.c_str(), AT_REMOVEDIR) == 0 || errno == ENOENT ? 0 : errno;
 }
 
+// An object, or a folder of objects.
+absl::StatusOr<PathLook> LookAtObject(const std::string& path) {
+  TILEMEND_ASSIGN_OR_RETURN(ObjectStore* const objects, ObjectsFor(path));
+  const auto look = objects->Look(path);
+  if (look.ok()) return PathLook{PathKind::kFile, look->size};
+  if (!absl::IsNotFound(look.status())) return look.status();
+  TILEMEND_RETURN_IF_ERROR(objects->List(path).status());
+  return PathLook{PathKind::kFolder, 0};
+}
+
+absl::StatusOr<std::vector<ObjectEntry>> ListObjects(const std::string& path) {
+  TILEMEND_ASSIGN_OR_RETURN(ObjectStore* const objects, ObjectsFor(path));
+  return objects->List(path);
+}
+
+absl::Status RemoveObjects(const std::string& path) {
+  TILEMEND_ASSIGN_OR_RETURN(ObjectStore* const objects, ObjectsFor(path));
+  const auto entries = objects->List(path);
+  if (absl::IsNotFound(entries.status())) return objects->Remove(path);
+  TILEMEND_RETURN_IF_ERROR(entries.status());
+  for (const ObjectEntry& entry : *entries) {
+    const std::string below = absl::StrCat(path, "/", entry.name);
+    TILEMEND_RETURN_IF_ERROR(entry.is_folder ? RemoveObjects(below) : objects->Remove(below));
+  }
+  return absl::OkStatus();
+}
+
 absl::Status Unlink(const std::string& path, int flags) {
   const Place place(path);
   const bool done = place.ok() && ::unlinkat(place.at(), place.name.c_str(), flags) == 0;
@@ -55,6 +85,7 @@ absl::Status Unlink(const std::string& path, int flags) {
 }  // namespace
 
 absl::StatusOr<PathLook> LookAt(const std::string& path, Links links) {
+  if (IsObjectPath(path)) return LookAtObject(path);
   const Descriptor file(OpenKept(path, O_PATH | O_CLOEXEC | (links == Links::kKeep ? O_NOFOLLOW : 0)));
   struct stat info {};
   if (file.get() < 0 || ::fstat(file.get(), &info) != 0) return ErrnoStatus(errno, "cannot look at it", path);
@@ -67,12 +98,33 @@ PathKind KindOf(const std::string& path) {
 }
 
 absl::StatusOr<std::vector<std::string>> ListFolder(const std::string& path) {
+  if (IsObjectPath(path)) {
+    TILEMEND_ASSIGN_OR_RETURN(const auto entries, ListObjects(path));
+    std::vector<std::string> names;
+    for (const ObjectEntry& entry : entries) names.push_back(entry.name);
+    return names;
+  }
   const int folder = OpenKept(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder < 0) return ErrnoStatus(errno, "cannot list", path);
   return NamesIn(folder);
 }
 
+absl::StatusOr<std::vector<FolderEntry>> ListKinds(const std::string& path) {
+  std::vector<FolderEntry> kinds;
+  if (IsObjectPath(path)) {
+    TILEMEND_ASSIGN_OR_RETURN(const auto entries, ListObjects(path));
+    for (const ObjectEntry& entry : entries) {
+      kinds.push_back({entry.name, entry.is_folder ? PathKind::kFolder : PathKind::kFile});
+    }
+    return kinds;
+  }
+  TILEMEND_ASSIGN_OR_RETURN(const auto names, ListFolder(path));
+  for (const std::string& name : names) kinds.push_back({name, KindOf(absl::StrCat(path, "/", name))});
+  return kinds;
+}
+
 absl::Status MakeFolder(const std::string& path) {
+  if (IsObjectPath(path)) return ObjectsFor(path).status();
   const Place place(path);
   if (place.ok() && ::mkdirat(place.at(), place.name.c_str(), 0777) == 0) return absl::OkStatus();
   const int error = place.ok() ? errno : place.error;
@@ -81,15 +133,23 @@ absl::Status MakeFolder(const std::string& path) {
 }
 
 bool CanWriteIn(const std::string& folder) {
+  if (IsObjectPath(folder)) return KindOf(folder) == PathKind::kFolder;
   const Descriptor opened(OpenKept(folder, O_PATH | O_DIRECTORY | O_CLOEXEC));
   return opened.get() >= 0 && ::faccessat(opened.get(), ".", W_OK, 0) == 0;
 }
 
-absl::Status RemoveFile(const std::string& path) { return Unlink(path, 0); }
+absl::Status RemoveFile(const std::string& path) {
+  if (!IsObjectPath(path)) return Unlink(path, 0);
+  TILEMEND_ASSIGN_OR_RETURN(ObjectStore* const objects, ObjectsFor(path));
+  return objects->Remove(path);
+}
 
-absl::Status RemoveEmptyFolder(const std::string& path) { return Unlink(path, AT_REMOVEDIR); }
+absl::Status RemoveEmptyFolder(const std::string& path) {
+  return IsObjectPath(path) ? absl::OkStatus() : Unlink(path, AT_REMOVEDIR);
+}
 
 absl::Status RemoveTree(const std::string& path) {
+  if (IsObjectPath(path)) return RemoveObjects(path);
   const Place place(path);
   const int error = place.ok() ? RemoveTreeAt(place.at(), place.name) : place.error;
   return error == 0 || error == ENOENT ? absl::OkStatus() : ErrnoStatus(error, "cannot remove", path);

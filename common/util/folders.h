@@ -30,6 +30,13 @@ PathKind KindOf(const std::string& path);
 // The names in a folder, sorted. kNotFound, kPermissionDenied.
 absl::StatusOr<std::vector<std::string>> ListFolder(const std::string& path);
 
+// The same with what each name is, in one request where objects are listed.
+struct FolderEntry {
+  std::string name;
+  PathKind kind = PathKind::kNothing;
+};
+absl::StatusOr<std::vector<FolderEntry>> ListKinds(const std::string& path);
+
 // Makes one folder, whose parent must be there; one that is there already is no error. Errors as WriteFileAtomically.
 absl::Status MakeFolder(const std::string& path);
 // Whether files may be made in a folder.

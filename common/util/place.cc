@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "absl/strings/str_cat.h"
+#include "common/util/object_store.h"
 #include "common/util/roots.h"
 
 namespace tilemend {
@@ -25,6 +26,8 @@ absl::Status ErrnoStatus(int error, std::string_view what, const std::string& pa
     case EXDEV:
       return absl::PermissionDeniedError(
           absl::StrCat(path, ": not below a folder that may be used (--root), or led out of it by a link"));
+    case ENOTSUP:
+      return absl::UnimplementedError(IsObjectPath(path) ? absl::StrCat(text, " of objects") : text);
     case ENAMETOOLONG:
     case ELOOP:
     case EISDIR:
@@ -62,6 +65,10 @@ int Descriptor::Close() {
 }
 
 int OpenKept(const std::string& path, int flags, mode_t mode) {
+  if (IsObjectPath(path)) {
+    errno = ENOTSUP;
+    return -1;
+  }
   const Roots* const roots = FilesRoots();
   return roots == nullptr ? ::open(path.c_str(), flags, mode) : roots->OpenFile(path, flags, mode);
 }

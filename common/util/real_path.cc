@@ -1,13 +1,20 @@
 #include "common/util/real_path.h"
 
 #include <algorithm>
+#include <string>
 #include <system_error>
+
+#include "common/util/object_store.h"
 
 namespace tilemend {
 
 namespace fs = std::filesystem;
 
 fs::path RealPath(const fs::path& path) {
+  if (IsObjectPath(path.string())) {
+    const std::string normal = path.lexically_normal().string();  // has one slash for two
+    return normal.substr(0, normal.find('/')) + "/" + normal.substr(normal.find('/'));
+  }
   std::error_code error;
   const fs::path real = fs::weakly_canonical(path, error);
   return error ? path.lexically_normal() : real;
@@ -20,6 +27,7 @@ fs::path RealPlace(const fs::path& path) {
 
 bool TakesThePlaceOf(const fs::path& from, const fs::path& to) {
   const fs::path place = RealPlace(to);
+  if (IsObjectPath(to.string()) != IsObjectPath(from.string())) return false;
   return place == RealPath(from) || place == RealPlace(from);
 }
 

@@ -5,13 +5,16 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_split.h"
 #include "common/util/error_info.h"
+#include "common/util/object_store.h"
 #include "common/util/text.h"
 
 namespace tilemend {
@@ -28,6 +31,11 @@ std::string Normal(const std::string& path) {
   std::string normal = std::filesystem::path(path).lexically_normal().string();
   while (normal.size() > 1 && normal.back() == '/') normal.pop_back();
   return normal;
+}
+
+std::string WithoutSlashes(std::string path) {
+  while (path.ends_with('/')) path.pop_back();
+  return path;
 }
 
 int OpenBelow(int folder, const std::string& path, int flags, mode_t mode) {
@@ -54,6 +62,10 @@ absl::Status Outside(const std::string& path) {
 absl::StatusOr<std::shared_ptr<const Roots>> Roots::Open(const std::vector<std::string>& folders) {
   std::shared_ptr<Roots> roots(new Roots);
   for (const std::string& folder : folders) {
+    if (IsObjectPath(folder)) {
+      roots->prefixes_.insert(WithoutSlashes(folder));
+      continue;
+    }
     const std::string normal = Normal(folder);
     if (normal.empty()) return absl::InvalidArgumentError(absl::StrCat("'", folder, "': expected an absolute path"));
     const int fd = ::open(normal.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
@@ -86,7 +98,14 @@ int Roots::OpenFile(const std::string& path, int flags, mode_t mode) const {
   return -1;
 }
 
+// Keys are not paths: ".." is a name like any other, so that the text alone says where an object is.
+bool Roots::HasObject(const std::string& path) const {
+  return std::any_of(prefixes_.begin(), prefixes_.end(),
+                     [&](const std::string& prefix) { return path == prefix || path.starts_with(prefix + "/"); });
+}
+
 absl::Status Roots::Check(const std::string& path) const {
+  if (IsObjectPath(path)) return HasObject(path) ? absl::OkStatus() : Outside(path);
   std::filesystem::path at = Normal(path);
   if (at.empty()) return Outside(path);
   const std::filesystem::path tail = std::filesystem::path(path).filename();
@@ -106,6 +125,18 @@ absl::Status Roots::Check(const std::string& path) const {
     }
     at = at.parent_path();
   }
+}
+
+std::vector<std::string> RootsInFlag(const std::string& text) {
+  std::vector<std::string> roots;
+  for (const absl::string_view part : absl::StrSplit(text, ':', absl::SkipEmpty())) {
+    if (!roots.empty() && roots.back() == "s3" && part.substr(0, 2) == "//") {
+      absl::StrAppend(&roots.back(), ":", part);
+    } else {
+      roots.emplace_back(part);
+    }
+  }
+  return roots;
 }
 
 void KeepFilesTo(std::shared_ptr<const Roots> roots) { Kept() = std::move(roots); }

@@ -6,6 +6,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,9 @@ namespace tilemend {
 // Thread-safe. Needs Linux 5.6 (openat2).
 class Roots {
  public:
-  // Absolute paths of folders. They are what the names lead to now, however the links in them change. Errors:
-  // kInvalidArgument for a path that is not absolute, kNotFound, kUnimplemented for an older kernel.
+  // Absolute paths of folders, and s3://BUCKET[/PREFIX] (object_store.h). Folders are what the names lead to now,
+  // however the links in them change. Errors: kInvalidArgument for a path that is not absolute, kNotFound,
+  // kUnimplemented for an older kernel.
   static absl::StatusOr<std::shared_ptr<const Roots>> Open(const std::vector<std::string>& folders);
   ~Roots();
   Roots(const Roots&) = delete;
@@ -34,8 +36,13 @@ class Roots {
 
  private:
   Roots() = default;
+  bool HasObject(const std::string& path) const;
   std::map<std::string, int> folders_;  // descriptors by normal path, without a slash at the end
+  std::set<std::string> prefixes_;      // of objects, without a slash at the end
 };
+
+// The roots that a flag names: with colons between them, which an s3:// has, too.
+std::vector<std::string> RootsInFlag(const std::string& text);
 
 // From now on the functions of files.h keep to these: those of the jobs and those of the program itself. For the start
 // of main, once. Null: everywhere.

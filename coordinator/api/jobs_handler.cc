@@ -12,6 +12,7 @@
 #include "common/options/job_options.h"
 #include "common/util/error_info.h"
 #include "common/util/folders.h"
+#include "common/util/object_store.h"
 #include "common/util/roots.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
@@ -26,9 +27,10 @@ namespace {
 constexpr size_t kMostPageBytes = size_t{2} << 20;
 
 absl::Status CheckScene(const std::string& scene) {
-  if (scene.find("://") != std::string::npos) return absl::OkStatus();
+  if (scene.find("://") != std::string::npos && !IsObjectPath(scene)) return absl::OkStatus();
   const absl::Status look = LookAt(scene).status();
   if (look.ok()) return absl::OkStatus();
+  if (IsObjectPath(scene) && !absl::IsNotFound(look)) return look;
   const std::string why = absl::IsNotFound(look) ? "" : absl::StrCat(" (", std::string(look.message()), ")");
   return WithErrorInfo(absl::NotFoundError(absl::StrCat(Printable(scene), ": no such scene", why)),
                        {"SCENE_NOT_FOUND", {{"scene", scene}}});

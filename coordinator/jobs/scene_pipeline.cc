@@ -22,6 +22,7 @@
 #include "common/util/error_info.h"
 #include "common/util/files.h"
 #include "common/util/folders.h"
+#include "common/util/object_store.h"
 #include "common/util/status_macros.h"
 #include "common/util/stopwatch.h"
 #include "common/util/utc.h"
@@ -63,7 +64,9 @@ std::vector<std::string> FirstOf(std::vector<std::string> warnings) {
 // What says where a folder of photogrammetry tiles lies.
 absl::Status CarryMetadata(const Scene& scene, OutputFolder& output) {
   const std::string from = absl::StrCat(scene.root, "/", kMetadataFile);
-  if (KindOf(from) != PathKind::kFile) return absl::OkStatus();
+  const auto look = LookAt(from);
+  if (IsObjectPath(from) && !look.ok() && !absl::IsNotFound(look.status())) return look.status();
+  if (!look.ok() || look->kind != PathKind::kFile) return absl::OkStatus();
   output.Adopt({kMetadataFile});
   return CarryFile(from, absl::StrCat(output.path(), "/", kMetadataFile), Carry::kCopy);
 }
@@ -185,7 +188,8 @@ class ScenePipeline : public JobPipeline {
     const std::vector<SceneTile>& tiles = waves_.scene().tiles;
     if (std::all_of(tiles.begin(), tiles.end(), [](const SceneTile& tile) { return tile.path.empty(); }))
       return absl::InvalidArgumentError(absl::StrCat(spec_.scene(), ": no cell of the scene has a tile"));
-    if (output_) {
+    // Nothing can be appended to an object.
+    if (output_ && !IsObjectPath(output_->path())) {
       TILEMEND_ASSIGN_OR_RETURN(ResultLog log, ResultLog::Open(output_->result_log(), opening_));
       reuse_.emplace(std::move(log));
     }

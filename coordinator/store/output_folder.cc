@@ -1,13 +1,6 @@
 #include "coordinator/store/output_folder.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <utility>
 
@@ -16,13 +9,13 @@
 #include "common/store/file_stamp.h"
 #include "common/store/fingerprint.h"
 #include "common/util/error_info.h"
-#include "common/util/failpoint.h"
 #include "common/util/files.h"
 #include "common/util/folders.h"
-#include "common/util/place.h"
+#include "common/util/object_store.h"
 #include "common/util/real_path.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
+#include "common/util/tile_files.h"
 
 namespace tilemend {
 namespace {
@@ -136,6 +129,20 @@ absl::Status CheckNames(const std::string& path, const std::set<std::string>& fi
   return absl::OkStatus();
 }
 
+// Folders and s3:// are written to, and there no trees of files.
+absl::Status CheckScheme(const std::string& path, const Scene& scene) {
+  if (path.find("://") == std::string::npos) return absl::OkStatus();
+  if (!IsObjectPath(path)) {
+    return absl::InvalidArgumentError(absl::StrCat(path, ": this release writes to folders and to s3://BUCKET/PREFIX"));
+  }
+  for (const SceneTile& tile : scene.tiles) {
+    if (!IsTileTree(OutputPath(tile))) continue;
+    return absl::InvalidArgumentError(absl::StrCat(path, ": trees of files, OSGB and 3D Tiles, are written to folders ",
+                                                   "only (", OutputPath(tile), "); give a folder as --out"));
+  }
+  return absl::OkStatus();
+}
+
 absl::Status CheckFolder(const std::string& path) {
   const PathKind kind = KindOf(path);
   if (kind == PathKind::kNothing || kind == PathKind::kFolder) return absl::OkStatus();
@@ -151,6 +158,7 @@ void RemoveEmptyFolders(std::vector<std::string> folders) {
 // Makes the folders of `path` that are missing; gives them, the outermost first.
 absl::StatusOr<std::vector<std::string>> MakeFolders(const std::string& path) {
   std::vector<std::string> missing;
+  if (IsObjectPath(path)) return missing;
   for (fs::path at = path; at.has_relative_path() && KindOf(at.string()) == PathKind::kNothing; at = at.parent_path()) {
     missing.push_back(at.string());
   }
@@ -185,20 +193,6 @@ std::vector<std::string> FilesBelow(const std::string& root, const std::string& 
   return files;
 }
 
-// Whether `path` is the file that `opened` tells of.
-bool IsStill(const std::string& path, const struct stat& opened) {
-  const Descriptor file(OpenKept(path, O_PATH | O_NOFOLLOW | O_CLOEXEC));
-  struct stat named {};
-  return file.get() >= 0 && ::fstat(file.get(), &named) == 0 && opened.st_ino == named.st_ino;
-}
-
-absl::Status MarkerError(const std::string& path) {
-  const std::string text = absl::StrCat(path, ": cannot write there: ", std::strerror(errno), "; choose another --out");
-  return errno == ENOSPC || errno == EDQUOT ? absl::ResourceExhaustedError(text) : absl::PermissionDeniedError(text);
-}
-
-std::string MarkerIn(const std::string& folder) { return absl::StrCat(folder, "/", kJobMarker); }
-
 // Whether the file of an attempt, at `written`, is the one at `path`.
 absl::Status CheckSame(const AttemptFile& file, const std::string& written, const std::string& path) {
   const bool same =
@@ -222,9 +216,7 @@ bool IsThere(const std::string& path, int64_t bytes, const std::string& digest, 
 
 absl::StatusOr<OutputFolder> OutputFolder::Claim(const std::string& path, const Scene& scene, bool overwrite,
                                                  const std::string& key) {
-  if (path.find("://") != std::string::npos) {
-    return absl::InvalidArgumentError(absl::StrCat(path, ": this release writes to folders only"));
-  }
+  TILEMEND_RETURN_IF_ERROR(CheckScheme(path, scene));
   TILEMEND_RETURN_IF_ERROR(CheckFolder(path));
   std::set<std::string> files;
   for (const SceneTile& tile : scene.tiles) files.insert(OutputPath(tile));
@@ -248,21 +240,10 @@ absl::StatusOr<OutputFolder> OutputFolder::Claim(const std::string& path, const 
 
 absl::Status OutputFolder::Lock() {
   TILEMEND_ASSIGN_OR_RETURN(made_, MakeFolders(path_));
-  struct stat opened {};
-  do {
-    if (marker_ >= 0) ::close(marker_);
-    marker_ = OpenKept(MarkerIn(path_), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
-    if (marker_ < 0) return MarkerError(path_);
-    // A file system without locks has to do without.
-    if (::flock(marker_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-      keep_ = true;
-      return WithErrorInfo(absl::AbortedError(absl::StrCat(
-                               path_, ": another job is writing there; wait for its end, or choose another --out")),
-                           {"OUTPUT_IN_USE", {}});
-    }
-    // The job that had the marker may have removed it before the lock was taken.
-  } while (::fstat(marker_, &opened) != 0 || !IsStill(MarkerIn(path_), opened));
-  keep_ = opened.st_size > 0;  // of an unfinished output
+  auto marker = JobMarker::Take(path_);
+  keep_ = ErrorReason(marker.status()) == "OUTPUT_IN_USE" || (marker.ok() && (*marker)->had_key());
+  TILEMEND_RETURN_IF_ERROR(marker.status());
+  marker_ = *std::move(marker);
   return absl::OkStatus();
 }
 
@@ -271,7 +252,7 @@ OutputFolder::OutputFolder(OutputFolder&& other) noexcept
       key_(std::move(other.key_)),
       files_(std::move(other.files_)),
       made_(std::move(other.made_)),
-      marker_(std::exchange(other.marker_, -1)),
+      marker_(std::move(other.marker_)),
       keep_(other.keep_),
       wrote_(other.wrote_),
       leaves_files_(other.leaves_files_),
@@ -281,10 +262,9 @@ OutputFolder::~OutputFolder() {
   if (path_.empty()) return;
   if (!keep_ || (!wrote_ && attempts_ && IsBare())) {
     if (attempts_) attempts_->Remove();
-    if (marker_ >= 0) RemoveFile(MarkerIn(path_)).IgnoreError();
+    if (marker_) marker_->Remove();
     RemoveEmptyFolders(made_);
   }
-  if (marker_ >= 0) ::close(marker_);
 }
 
 bool OutputFolder::IsBare() const {
@@ -294,15 +274,7 @@ bool OutputFolder::IsBare() const {
          std::all_of(names->begin(), names->end(), [&](const std::string& name) { return hidden.contains(name); });
 }
 
-absl::Status OutputFolder::WriteKey() {
-  const auto size = static_cast<ssize_t>(key_.size());
-  // Never empty in between: a job that is interrupted here and run again would not know its output.
-  if (::pwrite(marker_, key_.data(), key_.size(), 0) != size || ::ftruncate(marker_, size) != 0) {
-    return MarkerError(path_);
-  }
-  FailPoint("output.claimed");
-  return ::fsync(marker_) == 0 ? absl::OkStatus() : MarkerError(path_);
-}
+absl::Status OutputFolder::WriteKey() { return marker_->Write(key_); }
 
 absl::Status OutputFolder::BeginWriting() {
   TILEMEND_RETURN_IF_ERROR(WriteKey());
@@ -383,7 +355,7 @@ int64_t OutputFolder::TidyUp() {
 void OutputFolder::Finish() {
   keep_ = wrote_ = true;
   attempts_->Remove();
-  RemoveFile(MarkerIn(path_)).IgnoreError();
+  marker_->Remove();
 }
 
 }  // namespace tilemend

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -15,10 +16,11 @@
 #include "absl/status/statusor.h"
 #include "common/grid/scene.h"
 #include "coordinator/store/attempt_folder.h"
+#include "coordinator/store/job_marker.h"
 
 namespace tilemend {
 
-// Claims a folder for one job. While the job lives, a file `.tilemend-job` there is locked. Until the output is
+// Claims a folder for one job. While the job lives, its marker there (job_marker.h) is held. Until the output is
 // complete it holds the job's key, so that the same job, run again, goes on there, and no other. (The key of a job that
 // overwrites is there from its first tile on.) The files that workers write get their names from this class alone.
 //
@@ -88,7 +90,7 @@ class OutputFolder {
   std::string key_;
   std::map<std::string, Placed> files_;  // of this output, relative
   std::vector<std::string> made_;        // folders, the outermost first
-  int marker_ = -1;                      // descriptor
+  std::unique_ptr<JobMarker> marker_;    // while the folder is claimed
   bool keep_ = false;                    // the marker is to stay
   bool wrote_ = false;                   // this process
   bool leaves_files_ = false;

@@ -16,7 +16,9 @@
 #include "absl/strings/str_split.h"
 #include "common/grid/delivery_paths.h"
 #include "common/util/error_info.h"
+#include "common/util/files.h"
 #include "common/util/folders.h"
+#include "common/util/object_store.h"
 #include "common/util/roots.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
@@ -34,6 +36,11 @@ constexpr char kSceneFileName[] = "scene.json";
 
 absl::Status NoTile(const std::string& what) {
   return WithErrorInfo(absl::NotFoundError(what), {"TILE_NOT_FOUND", {}});
+}
+
+absl::Status TooLarge(const std::string& path, int64_t most) {
+  return WithErrorInfo(absl::ResourceExhaustedError(absl::StrCat(path, ": larger than ", most, " bytes")),
+                       {"TOO_LARGE", {{"limit", absl::StrCat(most)}}});
 }
 
 // A file descriptor that closes itself.
@@ -62,8 +69,19 @@ absl::StatusOr<std::string> ReadAll(int fd, int64_t size, const std::string& pat
   return bytes;
 }
 
+// An object below `folder`, as below.
+absl::StatusOr<std::string> ReadObjectBelow(const std::string& folder, const std::string& path, int64_t most) {
+  const std::string whole = absl::StrCat(folder, "/", path);
+  const auto look = LookAt(whole);
+  if (absl::IsNotFound(look.status())) return NoTile(absl::StrCat(path, ": no such file in its folder"));
+  TILEMEND_RETURN_IF_ERROR(look.status());
+  if (look->size > most) return TooLarge(path, most);
+  return ReadFileUpTo(whole, most);
+}
+
 // A regular file below `folder`; what a link leads out to is as if it was not there.
 absl::StatusOr<std::string> ReadBelow(const std::string& folder, const std::string& path, int64_t most) {
+  if (IsObjectPath(folder)) return ReadObjectBelow(folder, path, most);
   if (FilesRoots() != nullptr) TILEMEND_RETURN_IF_ERROR(FilesRoots()->Check(folder));
   std::error_code error;
   const std::string absolute = std::filesystem::absolute(folder, error).lexically_normal().string();
@@ -75,8 +93,7 @@ absl::StatusOr<std::string> ReadBelow(const std::string& folder, const std::stri
     return NoTile(absl::StrCat(path, ": no such file in its folder"));
   }
   if (look.st_size > most) {
-    return WithErrorInfo(absl::ResourceExhaustedError(absl::StrCat(path, ": larger than ", most, " bytes")),
-                         {"TOO_LARGE", {{"limit", absl::StrCat(most)}}});
+    return TooLarge(path, most);
   }
   return ReadAll(file.fd(), look.st_size, path);
 }

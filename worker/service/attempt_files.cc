@@ -13,6 +13,7 @@
 #include "common/util/cores.h"
 #include "common/util/error_info.h"
 #include "common/util/folders.h"
+#include "common/util/object_store.h"
 #include "common/util/real_path.h"
 #include "common/util/status_macros.h"
 
@@ -32,6 +33,7 @@ absl::Status OfThisMachine(const absl::Status& status) {
 
 // Whether these are two names of one file, as a hard link is.
 bool IsSameFile(const std::string& a, const std::string& b) {
+  if (IsObjectPath(a) || IsObjectPath(b)) return false;
   const auto first = ReceiptOf(a), second = ReceiptOf(b);
   return first.ok() && second.ok() && *first == *second;
 }

@@ -155,7 +155,7 @@ TEST_F(OutputFolderTest, NeverWritesToAFolderThatHoldsFoldersOfTiles) {
 TEST_F(OutputFolderTest, RefusesAPathThatCannotBeAFolder) {
   EXPECT_TRUE(absl::IsInvalidArgument(Claim(folder_.Write("file", "x")).status()));
   EXPECT_TRUE(absl::IsInvalidArgument(Claim(folder_ / "file/below").status()));
-  EXPECT_TRUE(absl::IsInvalidArgument(Claim("s3://bucket/out").status()));
+  EXPECT_TRUE(absl::IsInvalidArgument(Claim("gs://bucket/out").status()));
 }
 
 TEST_F(OutputFolderTest, ANewClaimOfAKilledJobThatWroteNothingLeavesNothing) {

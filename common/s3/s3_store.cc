@@ -1,0 +1,128 @@
+#include "common/s3/s3_store.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "absl/strings/numbers.h"
+#include "absl/strings/str_cat.h"
+#include "common/s3/local_copies.h"
+#include "common/s3/s3_answers.h"
+#include "common/util/status_macros.h"
+
+namespace tilemend {
+namespace {
+
+// Source: Amazon S3 user guide, "Uploading objects": of one PUT, and of one copy.
+constexpr int64_t kMostObjectBytes = int64_t{5} << 30;
+
+class S3Store : public ObjectStore {
+ public:
+  S3Store(const Environment& environment, int64_t most_copied, S3Patience patience)
+      : requests_(environment, patience), copies_("", most_copied) {}
+
+  absl::StatusOr<ObjectLook> Look(const std::string& path) override {
+    TILEMEND_ASSIGN_OR_RETURN(const S3Path object, ParseS3Path(path));
+    if (object.key.empty()) return absl::NotFoundError(absl::StrCat(path, ": a bucket, not an object"));
+    TILEMEND_ASSIGN_OR_RETURN(const S3Answer answer, requests_.Send({"HEAD", object}, path));
+    return ObjectLook{answer.size, answer.etag};
+  }
+
+  absl::StatusOr<int> Open(const std::string& path) override {
+    TILEMEND_ASSIGN_OR_RETURN(const ObjectLook look, Look(path));
+    if (const int kept = copies_.Find(NameOfCopy(path, look)); kept >= 0) return kept;
+    TILEMEND_ASSIGN_OR_RETURN(const S3Path object, ParseS3Path(path));
+    TILEMEND_ASSIGN_OR_RETURN(const int file, copies_.NewFile());
+    S3Request request{"GET", object};
+    request.to_file = file;
+    const auto answer = requests_.Send(request, path);
+    if (!answer.ok()) {
+      ::close(file);
+      return answer.status();
+    }
+    const int64_t size = ::lseek(file, 0, SEEK_CUR);
+    copies_.Keep(NameOfCopy(path, {size, answer->etag}), file, size);
+    return file;
+  }
+
+  absl::Status Put(const std::string& path, std::string_view bytes) override {
+    TILEMEND_ASSIGN_OR_RETURN(const S3Path object, ParseObject(path));
+    TILEMEND_RETURN_IF_ERROR(CheckSize(path, static_cast<int64_t>(bytes.size())));
+    S3Request request{"PUT", object};
+    request.body = bytes;
+    return requests_.Send(request, path).status();
+  }
+
+  absl::Status Copy(const std::string& from, const std::string& to) override {
+    TILEMEND_ASSIGN_OR_RETURN(const S3Path source, ParseObject(from));
+    TILEMEND_ASSIGN_OR_RETURN(const S3Path object, ParseObject(to));
+    S3Request request{"PUT", object};
+    request.headers = {absl::StrCat("x-amz-copy-source: /", source.bucket, "/", PercentEncoded(source.key, true))};
+    return requests_.Send(request, absl::StrCat(from, " to ", to)).status();
+  }
+
+  absl::Status Remove(const std::string& path) override {
+    TILEMEND_ASSIGN_OR_RETURN(const S3Path object, ParseObject(path));
+    const absl::Status status = requests_.Send({"DELETE", object}, path).status();
+    return absl::IsNotFound(status) ? absl::OkStatus() : status;
+  }
+
+  absl::StatusOr<std::vector<ObjectEntry>> List(const std::string& folder) override {
+    TILEMEND_ASSIGN_OR_RETURN(const S3Path below, ParseS3Path(folder));
+    const std::string prefix = below.key.empty() ? "" : below.key + "/";
+    std::vector<ObjectEntry> entries;
+    bool has_any = below.key.empty();  // a bucket is there without an object, too
+    std::map<std::string, std::string> query = {{"delimiter", "/"}, {"list-type", "2"}, {"prefix", prefix}};
+    do {
+      TILEMEND_ASSIGN_OR_RETURN(const S3Answer answer, requests_.Send({"GET", {below.bucket, ""}, query}, folder));
+      TILEMEND_ASSIGN_OR_RETURN(S3Page page, ReadListing(answer.body, prefix));
+      std::move(page.entries.begin(), page.entries.end(), std::back_inserter(entries));
+      query["continuation-token"] = page.next;
+    } while (!query["continuation-token"].empty());
+    has_any = has_any || !entries.empty();
+    if (!has_any) return absl::NotFoundError(absl::StrCat(folder, ": no object there, or below it"));
+    std::sort(entries.begin(), entries.end(),
+              [](const ObjectEntry& a, const ObjectEntry& b) { return a.name < b.name; });
+    return entries;
+  }
+
+ private:
+  static std::string NameOfCopy(const std::string& path, const ObjectLook& look) {
+    return absl::StrCat(look.etag, " ", look.size, " ", path);
+  }
+
+  static absl::StatusOr<S3Path> ParseObject(const std::string& path) {
+    TILEMEND_ASSIGN_OR_RETURN(S3Path object, ParseS3Path(path));
+    if (!object.key.empty()) return object;
+    return absl::InvalidArgumentError(absl::StrCat(path, ": a bucket, not an object"));
+  }
+
+  static absl::Status CheckSize(const std::string& path, int64_t bytes) {
+    if (bytes <= kMostObjectBytes) return absl::OkStatus();
+    return absl::InvalidArgumentError(absl::StrCat(path, ": ", bytes, " bytes, but one request takes 5 GiB at most"));
+  }
+
+  S3Requests requests_;
+  LocalCopies copies_;
+};
+
+}  // namespace
+
+std::unique_ptr<ObjectStore> NewS3Store(const Environment& environment, int64_t most_copied, S3Patience patience) {
+  return std::make_unique<S3Store>(environment, most_copied, patience);
+}
+
+absl::Status UseS3() {
+  constexpr int64_t kMebibyte = 1 << 20;
+  int64_t megabytes = 2048;
+  const std::string given = ValueOf(std::getenv, "TILEMEND_S3_CACHE_MB");
+  if (!given.empty() && (!absl::SimpleAtoi(given, &megabytes) || megabytes < 0)) {
+    return absl::InvalidArgumentError(absl::StrCat("TILEMEND_S3_CACHE_MB '", given, "': expected a number, 0 or more"));
+  }
+  UseObjects(NewS3Store(std::getenv, megabytes * kMebibyte));
+  return absl::OkStatus();
+}
+
+}  // namespace tilemend
