@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "common/codec/osgb/osgb_new.h"
 #include "common/util/files.h"
 #include "tests/common/codec/osgb/osgb_checks.h"
 #include "tests/fuzz/osgb_property.h"
@@ -217,6 +218,36 @@ TEST_P(OsgbOracleTest, ReadsAppendedGeometry) {
   EXPECT_EQ(colours->at(0), osg::Vec4(1, 0.2F, 0, 1));
   ASSERT_NE(TextureOf(*scene.geometries[2]), nullptr);
   EXPECT_EQ(TextureOf(*scene.geometries[2])->getWrap(osg::Texture::WRAP_S), osg::Texture::CLAMP_TO_EDGE);
+}
+
+// With the images as they lie in the file: OpenSceneGraph decodes them, and what it writes again has other bytes.
+TEST(OsgbOracleNewTest, ReadsANewFile) {
+  OsgbNode coarse{{OsgbTriangle()}, "a_L1_0.osgb", {1, 2, 3}, 7, 300};
+  OsgbPatch plain = OsgbTriangle();
+  plain.image.clear();
+  plain.colour = {255, 51, 0};
+  const std::vector<OsgbNode> nodes = {coarse, {{plain, OsgbTriangle()}, "", Point3::Zero(), 0, 0}};
+  const absl::StatusOr<std::string> bytes = NewOsgb(nodes, "a.osgb");
+  ASSERT_TRUE(bytes.ok()) << bytes.status();
+  const OsgScene scene = ReadWithOsg(*bytes);
+  ASSERT_EQ(scene.geometries.size(), 3u);
+  ExpectSameGeometries(*bytes, scene);
+  EXPECT_NE(TextureOf(*scene.geometries[0]), nullptr);
+  EXPECT_EQ(TextureOf(*scene.geometries[1]), nullptr);
+  const auto* const group = dynamic_cast<const osg::Group*>(scene.root.get());
+  ASSERT_NE(group, nullptr);
+  ASSERT_EQ(group->getNumChildren(), 2u);
+  const auto* const lod = dynamic_cast<const osg::PagedLOD*>(group->getChild(0));
+  ASSERT_NE(lod, nullptr);
+  EXPECT_EQ(lod->getFileName(1), "a_L1_0.osgb");
+  EXPECT_EQ(lod->getRangeMode(), osg::LOD::PIXEL_SIZE_ON_SCREEN);
+  EXPECT_EQ(lod->getCenter(), osg::Vec3(1, 2, 3));
+  EXPECT_EQ(lod->getRadius(), 7);
+  EXPECT_EQ(lod->getMaxRange(0), 300);
+  EXPECT_EQ(lod->getMinRange(1), 300);
+  const absl::StatusOr<OsgbFile> file = ReadOsgb(*bytes, "a.osgb");
+  EXPECT_EQ(bytes->substr(file->images.at(0).offset, file->images[0].size), OsgbTriangle().image);
+  EXPECT_EQ(OsgbPropertyViolation(*bytes), "");
 }
 
 TEST_P(OsgbOracleTest, ReadsAFileWithoutSomeTriangles) {
