@@ -51,14 +51,14 @@ TEST(OsgbDeliveryTest, AllLevelsAreReadAsTheyWere) {
 TEST(OsgbDeliveryTest, ImagesAndPlacesKeepTheirBytes) {
   DeliveryTile tile;
   tile.images = {"\xff\xd8\xff a photograph"};
-  DeliverySurface& surface = tile.pieces.emplace_back().surfaces.emplace_back();
+  DeliverySurface surface;
   surface.mesh = {{{0.1F, 0.2F, 0.3F}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   surface.uv = {{0.1F, 0.2F}, {1, 0}, {0, 1}};
   surface.image = 0;
   DeliverySurface plain;
   plain.mesh = surface.mesh;
   plain.colour = {10, 20, 30};
-  tile.pieces[0].surfaces.push_back(plain);
+  tile.pieces.emplace_back().surfaces = {surface, plain};
   const auto files = OsgbFilesOf(tile, "a");
   ASSERT_TRUE(files.ok()) << files.status();
   ASSERT_EQ(files->size(), 1U);
