@@ -145,7 +145,8 @@ RULES = {
         ['absl']),
 
     'worker/delivery': rule(
-        ['common/util', 'common/mesh', 'common/codec', 'common/codec/gltf', 'common/codec/tiles3d', 'common/codec/tree', 'worker/materials'],
+        ['common/util', 'common/mesh', 'common/image', 'common/codec', 'common/codec/gltf', 'common/codec/osgb', 'common/codec/tiles3d',
+         'common/codec/tree', 'worker/materials'],
         ['absl', 'eigen']),
 
     'worker/texture': rule(['common/util', 'common/mesh', 'common/image'], ['eigen'], pure=True),

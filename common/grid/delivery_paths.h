@@ -15,11 +15,12 @@ std::string_view DeliveryFormatOf(std::string_view path);
 
 // Sets SceneTile::delivered of all tiles, if `format` is another one than theirs ("same" never is). Each tile gets a
 // folder of its own. "3dtiles": "Data/Tile_+000_-001/Tile_+000_-001.osgb" becomes
-// "Data/Tile_p000_m001/Tile_p000_m001.json", since some servers take "+" in a URI for a blank.
+// "Data/Tile_p000_m001/Tile_p000_m001.json", since some servers take "+" in a URI for a blank. "osgb" does the reverse,
+// and always in "Data". What the format cannot hold is added to the scene's warnings.
 //
-// Returns kInvalidArgument (FORMAT_NOT_SUPPORTED), with what can be done, if the tiles cannot be written in that format
-// without loss. From OSGB, 3dtiles and obj are made; from OBJ, 3dtiles; from 3dtiles, obj. No tiles are converted to
-// osgb or ply. The same error is returned if two tiles would be written to one folder. O(n log n).
+// Returns kInvalidArgument (FORMAT_NOT_SUPPORTED), with what can be done: PLY tiles are not converted; to osgb no scene
+// is whose coordinates float32 holds coarser than the lattice of new vertices. The same error is returned if two tiles
+// would be written to one folder. O(n log n).
 absl::Status SetDeliveryPaths(std::string_view format, Scene& scene);
 
 // Whether SetDeliveryPaths set any path.
@@ -27,6 +28,9 @@ bool IsDelivered(const Scene& scene);
 
 // The scene that the delivered tiles in the folder `root` are.
 Scene DeliveredScene(Scene scene, const std::string& root);
+
+// metadata.xml text with the CRS and the origin of `scene`, as photogrammetry programs write it.
+std::string MetadataXml(const Scene& scene);
 
 }  // namespace tilemend
 

@@ -37,7 +37,7 @@ std::vector<Option> FileOptions() {
        .in_report = false},
       {.field = "output_format", .type = kWord, .words = {"same", "osgb", "3dtiles", "obj", "ply"},
        .default_value = "same",
-       .help = "format of the tiles: 3dtiles with all levels of detail and the place on the Earth, or obj"},
+       .help = "format of the tiles; 3dtiles and osgb have all levels of detail, obj and ply the finest"},
       {.field = "link", .help = "tiles without a patch as hard links of the originals, where they can be",
        .in_report = false},
   };

@@ -13,7 +13,7 @@
 namespace tilemend {
 
 bool IsOfDelivery(std::string_view output, std::string_view path) {
-  constexpr std::string_view kEndings[] = {"json", "glb", "obj", "mtl", "jpg", "png", "webp", "ktx2"};
+  constexpr std::string_view kEndings[] = {"json", "glb", "osgb", "obj", "mtl", "ply", "jpg", "png", "webp", "ktx2"};
   if (path == output) return true;
   const std::string_view stem = output.substr(0, output.rfind('.'));
   if (!path.starts_with(stem)) return false;

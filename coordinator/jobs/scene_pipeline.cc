@@ -71,6 +71,17 @@ absl::Status CarryMetadata(const Scene& scene, OutputFolder& output) {
   return CarryFile(from, absl::StrCat(output.path(), "/", kMetadataFile), Carry::kCopy);
 }
 
+// The same for delivered tiles; OSGB needs it, also where the scene has another source.
+absl::Status WriteMetadata(const Scene& scene, OutputFolder& output) {
+  const bool is_osgb = std::any_of(scene.tiles.begin(), scene.tiles.end(),
+                                   [](const SceneTile& tile) { return DeliveryFormatOf(tile.delivered) == "osgb"; });
+  if (!is_osgb || KindOf(absl::StrCat(scene.root, "/", kMetadataFile)) == PathKind::kFile) {
+    return CarryMetadata(scene, output);
+  }
+  output.Adopt({kMetadataFile});
+  return WriteFileAtomically(absl::StrCat(output.path(), "/", kMetadataFile), MetadataXml(scene));
+}
+
 // The tileset that names those of the tiles, with volumes that hold what they have now.
 absl::Status WriteTileset(const Scene& scene, OutputFolder& output) {
   if (scene.tileset.empty()) return absl::OkStatus();
@@ -83,7 +94,7 @@ absl::Status WriteTileset(const Scene& scene, OutputFolder& output) {
 absl::Status WriteDelivery(const Scene& scene, OutputFolder& output) {
   TILEMEND_ASSIGN_OR_RETURN(const DeliveryPlaces places, PlaceDelivery(scene));
   if (places.cells.empty()) {
-    TILEMEND_RETURN_IF_ERROR(CarryMetadata(scene, output));
+    TILEMEND_RETURN_IF_ERROR(WriteMetadata(scene, output));
     return WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile),
                                SceneJson(DeliveredScene(scene, output.path())));
   }

@@ -1,4 +1,4 @@
-// Tiles in another format from the command line: OSGB as 3D Tiles and OBJ, OBJ as 3D Tiles, and what is refused.
+// Tiles in another format from the command line: each as the others, and what is refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,6 +25,7 @@ namespace {
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
+constexpr char kFirstTile[] = "out/Data/Tile_+000_+000/Tile_+000_+000.osgb";
 const Point2 kMiddle = {OsgbScene::kCell, OsgbScene::kCell / 2};  // of the pond
 
 class FormatRunTest : public ::testing::Test {
@@ -51,6 +52,13 @@ class FormatRunTest : public ::testing::Test {
     const std::string name = OsgbScene::TileName(col);
     same_ = *ReadTileBytes(folder_ / ("same/Data/" + name + "/" + name + ".osgb"));
     return *ReadTileTree(same_, "same.osgb");
+  }
+
+  // `check` accepts the output, and a run on it finds no hole.
+  void ExpectNothingIsLeft() {
+    EXPECT_EQ(Tilemend({"check", folder_ / "out"}).code, 0);
+    EXPECT_EQ(Tilemend({"run", folder_ / "out", "--out", folder_ / "again"}).code, 0);
+    EXPECT_EQ(ReportOf(folder_ / "again")["per_hole"].size(), 0U);
   }
 
   const TemporaryFolder folder_;
@@ -128,16 +136,90 @@ TEST_F(FormatRunTest, ObjBecomesATilesetOfOneLevel) {
   EXPECT_EQ(tree->files.back().images.size(), 4U);
 }
 
+TEST_F(FormatRunTest, ObjBecomesOsgbOfOneLevel) {
+  WriteOsgb();
+  ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / "objs", "--output-format", "obj"}).code, 0);
+  std::filesystem::remove(folder_ / "objs/metadata.xml");
+  const Ended ended = Tilemend({"run", folder_ / "objs", "--out", folder_ / "out", "--output-format", "osgb"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const TileTree same = SameFormat(0);
+  const std::string bytes = *ReadTileBytes(folder_ / kFirstTile);
+  const auto tree = ReadTileTree(bytes, kFirstTile);
+  ASSERT_TRUE(tree.ok()) << tree.status();
+  EXPECT_EQ(tree->levels, 1);
+  const TriMesh is = LevelOf(*tree, 0).mesh, was = LevelOf(same, 2).mesh;
+  EXPECT_EQ(is.triangles.size(), was.triangles.size());
+  EXPECT_EQ(TopAt(is, kMiddle - Point2(3, 1)), TopAt(was, kMiddle - Point2(3, 1)));
+  EXPECT_EQ(tree->files[0].images.size(), 4U);
+  EXPECT_THAT(*ReadFile(folder_ / "out/metadata.xml"), HasSubstr("<SRSOrigin>500000,5600000,0</SRSOrigin>"));
+  EXPECT_THAT(ReportOf(folder_ / "out")["warnings"].dump(), HasSubstr("rounded to float32"));
+  ExpectNothingIsLeft();
+}
+
+TEST_F(FormatRunTest, TilesetsBecomeOsgbWithTheSameLevels) {
+  WriteOsgb();
+  ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / "set", "--output-format", "3dtiles"}).code, 0);
+  const Ended ended = Tilemend({"run", folder_ / "set", "--out", folder_ / "out", "--output-format", "osgb"});
+  ASSERT_TRUE(ended.code == 0 || ended.code == 100) << ended.err;
+  const TileTree same = SameFormat(0);
+  const std::string bytes = *ReadTileBytes(folder_ / kFirstTile);
+  const auto tree = ReadTileTree(bytes, kFirstTile);
+  ASSERT_TRUE(tree.ok()) << tree.status();
+  ASSERT_EQ(tree->levels, same.levels);
+  for (int32_t l = 0; l < same.levels; ++l) {
+    EXPECT_EQ(LevelOf(*tree, l).mesh.triangles.size(), LevelOf(same, l).mesh.triangles.size()) << "level " << l;
+  }
+}
+
+TEST_F(FormatRunTest, OsgbBecomesPlyWithItsImages) {
+  WriteOsgb();
+  const Ended ended = Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--output-format", "ply"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const std::string name = OsgbScene::TileName(0), stem = "out/Data/" + name + "/" + name;
+  const auto file = ParseMesh(MeshFormat::kPly, *ReadFile(folder_ / (stem + ".ply")), "ply");
+  ASSERT_TRUE(file.ok()) << file.status();
+  const TileTree same = SameFormat(0);
+  const TreeLevel was = LevelOf(same, 2);
+  EXPECT_EQ(file->mesh.triangles.size(), was.mesh.triangles.size());
+  EXPECT_EQ(TopAt(file->mesh, kMiddle - Point2(3, 1)), TopAt(was.mesh, kMiddle - Point2(3, 1)));
+  EXPECT_EQ(*ReadFile(folder_ / (stem + "_0.jpg")), "\xff\xd8\xff no image");
+  EXPECT_THAT(ReportOf(folder_ / "out")["warnings"].dump(), HasSubstr("the finest level of detail alone"));
+  ExpectNothingIsLeft();
+  const Ended from_ply = Tilemend({"run", folder_ / "out", "--out", folder_ / "set", "--output-format", "3dtiles"});
+  EXPECT_EQ(from_ply.code, 4);
+  EXPECT_THAT(from_ply.err, HasSubstr("PLY tiles have their colours at vertices"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "set"));
+}
+
 TEST_F(FormatRunTest, AnyNumberOfWorkersGivesTheSameBytes) {
   WriteOsgb();
-  for (const std::string n : {"1", "4"}) {
-    ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / n, "--output-format", "3dtiles", "--workers", n,
-                        "--overwrite"})
-                  .code,
-              0);
+  ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / "set", "--output-format", "3dtiles"}).code, 0);
+  for (const auto& [scene, format] : {std::pair("scene", "3dtiles"), {"scene", "ply"}, {"set", "osgb"}}) {
+    for (const std::string n : {"1", "4"}) {
+      const Ended ended = Tilemend(
+          {"run", folder_ / scene, "--out", folder_ / (format + n), "--output-format", format, "--workers", n});
+      ASSERT_TRUE(ended.code == 0 || ended.code == 100) << ended.err;
+    }
+    const std::string one = absl::StrCat(format, "1"), four = absl::StrCat(format, "4");
+    EXPECT_EQ(FilesBelow(folder_ / (one + "/Data")), FilesBelow(folder_ / (four + "/Data"))) << format;
   }
-  EXPECT_EQ(FilesBelow(folder_ / "1/Data"), FilesBelow(folder_ / "4/Data"));
-  EXPECT_EQ(*ReadFile(folder_ / "1/tileset.json"), *ReadFile(folder_ / "4/tileset.json"));
+  EXPECT_EQ(*ReadFile(folder_ / "3dtiles1/tileset.json"), *ReadFile(folder_ / "3dtiles4/tileset.json"));
+}
+
+TEST_F(FormatRunTest, CellsAreAddedToAnOutput) {
+  WriteOsgb();
+  ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / "objs", "--output-format", "obj"}).code, 0);
+  const auto run = [&](const std::string& out, const std::string& cells) {
+    std::vector<std::string> words = {"run", folder_ / "objs", "--out", folder_ / out, "--output-format", "osgb"};
+    if (!cells.empty()) words.insert(words.end(), {"--cells", cells});
+    const Ended ended = Tilemend(words);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+  };
+  run("out", "0,0");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/Data/Tile_+001_+000"));
+  run("out", "1,0");
+  run("whole", "");
+  EXPECT_EQ(FilesBelow(folder_ / "out/Data"), FilesBelow(folder_ / "whole/Data"));
 }
 
 TEST_F(FormatRunTest, WithoutACrsThereIsAWarning) {
@@ -150,9 +232,12 @@ TEST_F(FormatRunTest, WithoutACrsThereIsAWarning) {
 
 TEST_F(FormatRunTest, WhatIsNotPossibleIsRefusedBeforeAnythingIsWritten) {
   WriteOsgb();
-  const Ended ended = Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--output-format", "ply"});
+  folder_.Write("scene/scene.json", R"({"grid_corner": [0, 5600000], "cell_size": 64, "cols": 1, "rows": 1,
+      "tiles": [{"col": 0, "row": 0, "path": "a.obj"}]})");
+  folder_.Write("scene/a.obj", "v 0 5600000 0\nv 1 5600000 0\nv 0 5600001 0\nf 1 2 3\n");
+  const Ended ended = Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--output-format", "osgb"});
   EXPECT_EQ(ended.code, 4);
-  EXPECT_THAT(ended.err, HasSubstr("PLY has no place for their images"));
+  EXPECT_THAT(ended.err, HasSubstr("take the scene's origin nearer"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
   const Ended unknown = Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--output-format", "fbx"});
   EXPECT_EQ(unknown.code, 2);

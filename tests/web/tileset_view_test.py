@@ -56,12 +56,12 @@ def validate(folder, out):
     print(f'gltf-validator: {len(found)} models without an error or a warning')
 
 
-def draw(folder, out, program, query):
-    """What was drawn, with the picture in FOLDER."""
-    for name in ('tileset_page.js', 'view_tileset.mjs'):
+def draw(folder, out, program, query, page='tileset_page.js'):
+    """What the script `page` drew, with the picture in FOLDER."""
+    for name in (page, 'view_tileset.mjs'):
         shutil.copy(os.path.join(HERE, name), folder)
-    picture = os.path.join(folder, f'tileset_{query.replace("=", "_")}.png')
-    done = run('node', 'view_tileset.mjs', out, program, picture, query, cwd=folder)
+    picture = os.path.join(folder, f'{page.split("_")[0]}_{query.replace("=", "_").replace("&", "_")}.png')
+    done = run('node', 'view_tileset.mjs', page, out, program, picture, query, cwd=folder)
     if done.returncode:
         fail(done.stdout)
     return json.loads(done.stdout.splitlines()[-1])

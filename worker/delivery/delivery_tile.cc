@@ -181,7 +181,7 @@ absl::StatusOr<DeliveryTile> DeliveryOfObj(std::string_view bytes, const ObjBesi
   return tile;
 }
 
-void KeepGltfImages(DeliveryTile& tile) {
+void KeepJpegAndPng(DeliveryTile& tile) {
   std::set<std::string_view> left_out;
   for (DeliveryPiece& piece : tile.pieces) {
     for (DeliverySurface& surface : piece.surfaces) {
@@ -195,7 +195,7 @@ void KeepGltfImages(DeliveryTile& tile) {
   }
   for (const std::string_view ending : left_out) {
     tile.warnings.push_back(absl::StrCat("images of the format ", std::string(ending),
-                                         " are not written to glb files; their faces have one colour"));
+                                         " are not written in this format; their faces have one colour"));
   }
 }
 

@@ -65,9 +65,9 @@ struct ColourRun {
 // One piece of new surface. Precondition: `runs` begin with triangle 0. Linear.
 DeliveryTile DeliveryOfColours(const TriMesh& mesh, std::span<const ColourRun> runs);
 
-// Takes out images that glTF has no place for without extensions, WebP and KTX2: their surfaces get one colour, with a
-// warning.
-void KeepGltfImages(DeliveryTile& tile);
+// Takes out images of other formats, WebP and KTX2, which glTF without extensions and readers of OSGB do not know:
+// their surfaces get one colour, with a warning.
+void KeepJpegAndPng(DeliveryTile& tile);
 
 // The ending of the name of an image file by its first bytes: "jpg", "png", "webp", "ktx2"; empty: unknown.
 std::string_view ImageEnding(std::string_view image);

@@ -10,10 +10,15 @@
 #include "common/util/tile_files.h"
 #include "worker/delivery/delivery_tile.h"
 #include "worker/delivery/obj_delivery.h"
+#include "worker/delivery/osgb_delivery.h"
+#include "worker/delivery/ply_delivery.h"
 #include "worker/service/tile_reading.h"
 
 namespace tilemend {
 namespace {
+
+// Whether files of this format have levels of detail.
+bool HasLevels(std::string_view format) { return format == "3dtiles" || format == "osgb"; }
 
 absl::StatusOr<DeliveryTile> DeliveryOf(const v1::AssembleInput& input, const AssembledTile& tile) {
   const std::string& path = input.tile().path();
@@ -24,7 +29,7 @@ absl::StatusOr<DeliveryTile> DeliveryOf(const v1::AssembleInput& input, const As
   }
   if (!IsTileTree(path)) return DeliveryOfObj(tile.bytes, {input.tile().root(), path, tile.materials, tile.image});
   TILEMEND_ASSIGN_OR_RETURN(const TileTree tree, ReadTileTree(tile.bytes, PathOf(input.tile())));
-  return DeliveryOfTree(tree, input.output_format() == "obj" ? DeliveryLevels::kFinest : DeliveryLevels::kAll);
+  return DeliveryOfTree(tree, HasLevels(input.output_format()) ? DeliveryLevels::kAll : DeliveryLevels::kFinest);
 }
 
 // Vertices of OSGB tiles are float32 values and stay as they are.
@@ -33,21 +38,24 @@ Point3 OriginFor(const v1::AssembleInput& input) {
   return {std::round(input.x_middle()), std::round(input.y_middle()), 0};
 }
 
+absl::StatusOr<std::vector<DeliveryFile>> FilesOf(const DeliveryTile& tile, const v1::AssembleInput& input) {
+  const std::string& format = input.output_format();
+  const std::string stem = std::filesystem::path(input.output()).stem().string();
+  if (format == "3dtiles") return TilesetFilesOf(tile, stem, OriginFor(input));
+  if (format == "osgb") return OsgbFilesOf(tile, stem);
+  if (format == "obj") return ObjFilesOf(tile, stem);
+  if (format == "ply") return PlyFilesOf(tile, stem);
+  return absl::InvalidArgumentError(absl::StrCat("tiles are not written as ", format));
+}
+
 }  // namespace
 
 absl::StatusOr<Delivered> DeliverTile(const v1::AssembleInput& input, const AssembledTile& tile) {
   TILEMEND_ASSIGN_OR_RETURN(DeliveryTile delivery, DeliveryOf(input, tile));
-  if (input.output_format() == "3dtiles") KeepGltfImages(delivery);
-  const std::string stem = std::filesystem::path(input.output()).stem().string();
+  if (HasLevels(input.output_format())) KeepJpegAndPng(delivery);
   Delivered result;
+  TILEMEND_ASSIGN_OR_RETURN(result.files, FilesOf(delivery, input));
   result.warnings = std::move(delivery.warnings);
-  if (input.output_format() == "obj") {
-    result.files = ObjFilesOf(delivery, stem);
-  } else if (input.output_format() == "3dtiles") {
-    TILEMEND_ASSIGN_OR_RETURN(result.files, TilesetFilesOf(delivery, stem, OriginFor(input)));
-  } else {
-    return absl::InvalidArgumentError(absl::StrCat("tiles are not written as ", input.output_format()));
-  }
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include "common/codec/osgb/osgb_encode.h"
 #include "common/codec/osgb/osgb_file.h"
 #include "common/codec/osgb/osgb_parse.h"
+#include "common/codec/osgb/osgb_patch_check.h"
 #include "common/codec/osgb/osgb_splice.h"
 #include "common/util/status_macros.h"
 
@@ -15,47 +16,21 @@ namespace tilemend {
 namespace {
 
 constexpr uint32_t kListOfTriangles = 4;  // GL_TRIANGLES
-constexpr double kMaxPatchCoordinate = 1e9;
-
-absl::Status PatchError(const std::string& name, size_t patch, const std::string& message) {
-  return absl::InvalidArgumentError(absl::StrCat(name, ": new geometry ", patch, ": ", message));
-}
-
-bool IsOnEarth(const Point3& point) { return (point.array().abs() <= kMaxPatchCoordinate).all(); }
 
 absl::Status CheckPatch(const OsgbLayout& layout, const OsgbPatch& patch, size_t index, const std::string& name) {
   if (patch.geode < 0 || static_cast<size_t>(patch.geode) >= layout.geodes.size()) {
-    return PatchError(
+    return OsgbPatchError(
         name, index, absl::StrCat("the file has ", layout.geodes.size(), " osg::Geode, none with index ", patch.geode));
   }
   const auto geode = static_cast<size_t>(patch.geode);
-  if (!layout.geodes[geode].has_list) return PatchError(name, index, absl::StrCat("osg::Geode ", geode, " is empty"));
-  const Point3& translation = layout.file.geodes[geode].translation;
-  for (const Point3& point : patch.points) {
-    if (!IsOnEarth(point - translation)) return PatchError(name, index, "expected coordinates of at most 1e9 m");
-  }
-  const auto points = static_cast<int64_t>(patch.points.size());
-  for (const Triangle& triangle : patch.triangles) {
-    for (const int32_t corner : triangle) {
-      if (corner < 0 || corner >= points) {
-        return PatchError(name, index, absl::StrCat("vertex index ", corner, " of ", points, " vertices"));
-      }
-    }
-  }
-  if (patch.image.empty()) return absl::OkStatus();
-  if (patch.uv.size() != patch.points.size()) {
-    return PatchError(name, index, absl::StrCat(patch.uv.size(), " texture coordinates for ", points, " vertices"));
-  }
-  return absl::OkStatus();
+  if (!layout.geodes[geode].has_list)
+    return OsgbPatchError(name, index, absl::StrCat("osg::Geode ", geode, " is empty"));
+  return CheckOsgbPatch(patch, layout.file.geodes[geode].translation, index, name);
 }
 
 absl::Status CheckSizes(const OsgbLayout& layout, std::span<const OsgbPatch> patches, const std::string& name) {
-  constexpr uint64_t kVertexBytes = 20;
-  constexpr uint64_t kTriangleBytes = 12;
   uint64_t bytes = 0;
-  for (const OsgbPatch& patch : patches) {
-    bytes += patch.image.size() + kVertexBytes * patch.points.size() + kTriangleBytes * patch.triangles.size();
-  }
+  for (const OsgbPatch& patch : patches) bytes += BytesOfOsgbPatch(patch);
   if (bytes > INT32_MAX) return absl::InvalidArgumentError(absl::StrCat(name, ": the file would be over 2 GiB"));
   const uint64_t ids = uint64_t{kOsgbIdsOfGeometry} * patches.size();
   if (std::max(layout.max_object_id, layout.max_array_id) + ids > UINT32_MAX) {

@@ -1,13 +1,13 @@
 #include "common/codec/osgb/osgb_encode.h"
 
 #include <array>
-#include <bit>
 #include <initializer_list>
 #include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "common/codec/osgb/osgb_encoder.h"
 #include "common/codec/osgb/osgb_parse.h"
 
 namespace tilemend {
@@ -37,65 +37,7 @@ struct FloatArray {
   std::vector<float> values;
 };
 
-class Encoder {
- public:
-  explicit Encoder(OsgbEncoding& encoding) : encoding_(encoding) {}
-
-  std::string Take() { return std::move(out_); }
-  uint32_t version() const { return encoding_.version; }
-
-  void Flag(bool value) { out_ += static_cast<char>(value); }
-  void U32(uint32_t value) { Number(value, sizeof(value)); }
-  void F32(float value) { U32(std::bit_cast<uint32_t>(value)); }
-  void Zeros(size_t bytes) { out_.append(bytes, '\0'); }
-
-  void String(std::string_view text) {
-    U32(static_cast<uint32_t>(text.size()));
-    out_ += text;
-  }
-
-  void Begin() {
-    open_.push_back(out_.size());
-    Zeros(encoding_.bracket_bytes);
-  }
-
-  void End() {
-    uint64_t size = out_.size() - open_.back();
-    for (size_t i = 0; i < encoding_.bracket_bytes; ++i, size >>= 8) {
-      out_[open_.back() + i] = static_cast<char>(size & 0xff);
-    }
-    open_.pop_back();
-  }
-
-  // Class, bracket, a new id and the fields of osg::Object.
-  void BeginObject(std::string_view class_name) {
-    String(class_name);
-    Begin();
-    U32(encoding_.next_object_id++);
-    ObjectFields();
-  }
-
-  void ObjectFields() {
-    constexpr uint32_t kUnspecified = 2;
-    String("");
-    U32(kUnspecified);
-    Flag(false);
-  }
-
-  uint32_t NewObjectId() { return encoding_.next_object_id++; }
-  uint32_t NewArrayId() { return encoding_.next_array_id++; }
-
- private:
-  void Number(uint64_t value, size_t bytes) {
-    for (size_t i = 0; i < bytes; ++i, value >>= 8) out_ += static_cast<char>(value & 0xff);
-  }
-
-  OsgbEncoding& encoding_;
-  std::string out_;
-  std::vector<size_t> open_;  // offsets of the sizes of open brackets
-};
-
-void EncodeMaterial(const Colour& colour, Encoder& out) {
+void EncodeMaterial(const Colour& colour, OsgbEncoder& out) {
   out.BeginObject("osg::Material");
   out.Zeros(2);  // no callbacks
   out.U32(kGlOff);
@@ -112,7 +54,7 @@ void EncodeMaterial(const Colour& colour, Encoder& out) {
   out.End();
 }
 
-void EncodeImage(const OsgbPatch& patch, Encoder& out) {
+void EncodeImage(const OsgbPatch& patch, OsgbEncoder& out) {
   constexpr uint32_t kInlineFile = 1;
   if (out.version() >= kOsgbImageClass) out.String("osg::Image");
   out.U32(out.NewObjectId());
@@ -123,7 +65,7 @@ void EncodeImage(const OsgbPatch& patch, Encoder& out) {
   out.ObjectFields();
 }
 
-void EncodeTexture(const OsgbPatch& patch, Encoder& out) {
+void EncodeTexture(const OsgbPatch& patch, OsgbEncoder& out) {
   out.BeginObject("osg::Texture2D");
   out.Zeros(2);  // no callbacks
   for (const uint32_t value : {kGlClampToEdge, kGlClampToEdge, kGlClampToEdge, kGlLinear, kGlLinear}) {
@@ -152,7 +94,7 @@ void EncodeTexture(const OsgbPatch& patch, Encoder& out) {
 }
 
 // The lists of texture modes and texture attributes, for unit 0.
-void EncodeTextureUnit(const OsgbPatch& patch, Encoder& out) {
+void EncodeTextureUnit(const OsgbPatch& patch, OsgbEncoder& out) {
   out.Flag(true);
   out.U32(1);
   out.Begin();
@@ -173,7 +115,7 @@ void EncodeTextureUnit(const OsgbPatch& patch, Encoder& out) {
   out.End();
 }
 
-void EncodeStateSet(const OsgbPatch& patch, const Colour& colour, Encoder& out) {
+void EncodeStateSet(const OsgbPatch& patch, const Colour& colour, OsgbEncoder& out) {
   out.BeginObject("osg::StateSet");
   out.Flag(false);  // no modes
   out.Flag(true);
@@ -194,7 +136,7 @@ void EncodeStateSet(const OsgbPatch& patch, const Colour& colour, Encoder& out) 
   out.End();
 }
 
-void EncodeDrawable(const OsgbPatch& patch, const Colour& colour, Encoder& out) {
+void EncodeDrawable(const OsgbPatch& patch, const Colour& colour, OsgbEncoder& out) {
   constexpr uint32_t kAll = UINT32_MAX;
   if (out.version() >= kOsgbDrawableNodes) {
     out.Zeros(5);  // no bound, no callbacks
@@ -216,7 +158,7 @@ void EncodeDrawable(const OsgbPatch& patch, const Colour& colour, Encoder& out) 
   if (out.version() >= kOsgbDrawableCulling) out.Flag(true);
 }
 
-void EncodeTriangles(const std::vector<Triangle>& triangles, Encoder& out) {
+void EncodeTriangles(const std::vector<Triangle>& triangles, OsgbEncoder& out) {
   constexpr uint32_t kElementsUInt = 54;
   const bool is_object = out.version() >= kOsgbArrayObjects;
   out.U32(1);
@@ -238,7 +180,7 @@ void EncodeTriangles(const std::vector<Triangle>& triangles, Encoder& out) {
   out.End();
 }
 
-void EncodeArray(const FloatArray& array, Encoder& out) {
+void EncodeArray(const FloatArray& array, OsgbEncoder& out) {
   const bool is_object = out.version() >= kOsgbArrayObjects;
   if (is_object) {
     out.BeginObject(array.class_name);
@@ -281,7 +223,7 @@ FloatArray UvOf(const OsgbPatch& patch) {
 }
 
 // A viewer without lighting does not use the material, so that a plain colour is an array as well.
-void EncodeArrays(const OsgbPatch& patch, const Point3& translation, const Colour& colour, Encoder& out) {
+void EncodeArrays(const OsgbPatch& patch, const Point3& translation, const Colour& colour, OsgbEncoder& out) {
   constexpr uint32_t kVec4Array = 17;
   const bool is_object = out.version() >= kOsgbArrayObjects;
   const bool has_image = !patch.image.empty();
@@ -311,7 +253,7 @@ std::string EncodeOsgbGeometry(const OsgbPatch& patch, const Point3& translation
   if (patch.image.empty()) {
     colour = {patch.colour.r / kMaxChannel, patch.colour.g / kMaxChannel, patch.colour.b / kMaxChannel, 1};
   }
-  Encoder out(encoding);
+  OsgbEncoder out(encoding);
   out.BeginObject("osg::Geometry");
   EncodeDrawable(patch, colour, out);
   EncodeTriangles(patch.triangles, out);

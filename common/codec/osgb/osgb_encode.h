@@ -22,7 +22,7 @@ inline constexpr uint32_t kOsgbIdsOfGeometry = 8;
 
 // The osg::Geometry of `patch` with its state set, material, texture and image. `translation` leads from the
 // coordinates in the file to those of the patch. Raises the ids of `encoding` beyond those that it used.
-// Preconditions: CheckOsgbPatch is OK, the ids have room for kOsgbIdsOfGeometry more. Linear.
+// Preconditions: CheckOsgbPatch (osgb_patch_check.h) is OK, the ids have room for kOsgbIdsOfGeometry more. Linear.
 std::string EncodeOsgbGeometry(const OsgbPatch& patch, const Point3& translation, OsgbEncoding& encoding);
 
 }  // namespace tilemend

@@ -91,6 +91,14 @@ std::vector<bool> HaveModelsBelow(const Tileset& tileset, const std::vector<Plac
   return below;
 }
 
+// The nearest model above a tile, by the models of the tiles; -1 if there is none.
+int32_t ModelAbove(const Tileset& tileset, int32_t tile, const std::vector<int32_t>& model_of) {
+  int32_t above = tileset.tiles[static_cast<size_t>(tile)].parent;
+  while (above >= 0 && model_of[static_cast<size_t>(above)] < 0)
+    above = tileset.tiles[static_cast<size_t>(above)].parent;
+  return above < 0 ? -1 : model_of[static_cast<size_t>(above)];
+}
+
 // The patches of an edit in the frame of the model's tile, and with its centre in that of the model.
 struct LocalPatches {
   std::vector<Point3> in_tile;
@@ -120,11 +128,19 @@ absl::StatusOr<TilesetTree> ReadTilesetTree(std::string_view pack, const std::st
   TILEMEND_ASSIGN_OR_RETURN(const Tileset tileset, ReadPackedTileset(tree.packed, name));
   const std::vector<PlacedModel> models = ModelsOf(tileset, tree.packed);
   const std::vector<bool> below = HaveModelsBelow(tileset, models);
+  std::vector<int32_t> model_of(tileset.tiles.size(), -1);
   bool is_empty = true;
   for (const PlacedModel& placed : models) {
     const PackedFile& file = tree.packed[static_cast<size_t>(placed.file)];
     const auto t = static_cast<size_t>(placed.tile);
-    TilesetModel& model = tree.models.emplace_back(TilesetModel{placed.file, tileset.tiles[t].level, !below[t], {}});
+    const TilesetTile& tile = tileset.tiles[t];
+    TilesetModel& model = tree.models.emplace_back();
+    model.file = placed.file;
+    model.level = tile.level;
+    model.is_finest = !below[t];
+    model.parent = ModelAbove(tileset, placed.tile, model_of);
+    model.geometric_error = model.is_finest ? 0 : tile.geometric_error;
+    model_of[t] = static_cast<int32_t>(tree.models.size()) - 1;
     TILEMEND_ASSIGN_OR_RETURN(model.gltf, ReadGltf(file.bytes, placed.up, InFolder(file.name, name)));
     for (Point3& point : model.gltf.points) {
       point = Moved(placed.to_scene, model.gltf.origin + point);

@@ -14,10 +14,12 @@
 namespace tilemend {
 
 struct TilesetModel {
-  int32_t file = 0;       // index into TilesetTree::packed
-  int32_t level = 0;      // number of tiles above it that have a model
-  bool is_finest = true;  // no tile below it has a model in the pack
-  GltfFile gltf;          // its points are in the frame of the scene (tileset_frame.h), metres
+  int32_t file = 0;            // index into TilesetTree::packed
+  int32_t level = 0;           // number of tiles above it that have a model
+  bool is_finest = true;       // no tile below it has a model in the pack
+  int32_t parent = -1;         // index into TilesetTree::models of the nearest above it; -1: none
+  double geometric_error = 0;  // metres, of its tile; 0 if it is the finest
+  GltfFile gltf;               // its points are in the frame of the scene (tileset_frame.h), metres
 };
 
 struct TilesetTree {

@@ -71,7 +71,7 @@ absl::StatusOr<TileTree> ReadModelTree(std::string_view pack, const std::string&
   TileTree tree;
   tree.files.resize(tile.packed.size());
   for (TilesetModel& model : tile.models) {
-    tree.pieces.push_back({model.file, 0, model.level, model.is_finest});
+    tree.pieces.push_back({model.file, 0, model.level, model.is_finest, model.parent, model.geometric_error});
     tree.files[static_cast<size_t>(model.file)] = FromGltf(std::move(model.gltf));
   }
   tree.packed = std::move(tile.packed);

@@ -48,8 +48,8 @@ struct TreePiece {
   int32_t part = 0;  // of that file: a geode of an OSGB file; a glb or b3dm file is one part
   int32_t level = 0;
   bool is_finest = true;       // no finer file takes its place
-  int32_t parent = -1;         // of OSGB files: index into TileTree::pieces of the piece whose place it takes; -1: none
-  double geometric_error = 0;  // of OSGB files: metres, as 3D Tiles have it
+  int32_t parent = -1;         // index into TileTree::pieces, before this one: whose place it takes; -1: none
+  double geometric_error = 0;  // metres, as 3D Tiles have it; 0: it is the finest
 };
 
 struct TileTree {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "absl/strings/str_join.h"
+#include "common/grid/scene_sources.h"
 #include "tests/support/temporary_folder.h"
 
 namespace tilemend {
@@ -49,15 +51,47 @@ TEST(DeliveryPathsTest, TheSameFormatStaysAsItIs) {
 TEST(DeliveryPathsTest, WhatWouldLoseSomethingIsRefusedWithAReason) {
   const struct {
     std::string path, format, why;
-  } cases[] = {{"a.ply", "3dtiles", "colours at vertices"},   {"a.ply", "obj", "colours at vertices"},
-               {"a.obj", "ply", "no place for their images"}, {"a/a.osgb", "ply", "no place for their images"},
-               {"a.obj", "osgb", "for OSGB tiles alone"},     {"a/a.json", "osgb", "for OSGB tiles alone"}};
+  } cases[] = {{"a.ply", "3dtiles", "colours at vertices"},
+               {"a.ply", "obj", "colours at vertices"},
+               {"a.obj", "osgb", "reach 5600000 m, where these are 0.5 m apart"}};
   for (const auto& c : cases) {
     Scene scene = SceneOf({c.path});
+    scene.grid.corner = {500000, 5600000};
     const absl::Status status = SetDeliveryPaths(c.format, scene);
     EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument) << c.path << " as " << c.format;
     EXPECT_THAT(std::string(status.message()), HasSubstr(c.why));
   }
+}
+
+TEST(DeliveryPathsTest, OsgbTilesLieInDataWithSigns) {
+  Scene scene = SceneOf({"Data/Tile_p000_m014/Tile_p000_m014.json", "a_+001_+000.json"});
+  ASSERT_TRUE(SetDeliveryPaths("osgb", scene).ok());
+  EXPECT_EQ(OutputPath(scene.tiles[0]), "Data/Tile_+000_-014/Tile_+000_-014.osgb");
+  EXPECT_EQ(OutputPath(scene.tiles[1]), "Data/a_+001_+000/a_+001_+000.osgb");
+}
+
+TEST(DeliveryPathsTest, WhatTheFormatCannotHoldIsAWarning) {
+  const auto warnings = [](const std::string& path, std::string_view format) {
+    Scene scene = SceneOf({path});
+    scene.cols = scene.rows = 4;
+    scene.grid.cell_size = {300, 300};
+    EXPECT_TRUE(SetDeliveryPaths(format, scene).ok());
+    return absl::StrJoin(scene.warnings, "\n");
+  };
+  EXPECT_THAT(warnings("a/a.osgb", "ply"), HasSubstr("finest level of detail alone"));
+  EXPECT_EQ(warnings("a/a.osgb", "3dtiles"), "");
+  EXPECT_THAT(warnings("a.obj", "ply"), HasSubstr("its image is written, or its diffuse colour"));
+  EXPECT_THAT(warnings("a/a.json", "osgb"), HasSubstr("rounded to float32, by 6.1e-05 m at most"));
+}
+
+TEST(DeliveryPathsTest, MetadataIsReadBack) {
+  Scene scene = SceneOf({"a.obj"});
+  scene.crs = "EPSG:25832 <&>";
+  scene.origin = {500000.25, 5600000, 1.0 / 3};
+  Scene read;
+  ASSERT_TRUE(ParseMetadata(MetadataXml(scene), "metadata.xml", &read).ok());
+  EXPECT_EQ(read.crs, scene.crs);
+  EXPECT_EQ(read.origin, scene.origin);
 }
 
 TEST(DeliveryPathsTest, MixedFormatsAndEqualNamesAreRefused) {

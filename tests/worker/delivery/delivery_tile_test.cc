@@ -112,7 +112,7 @@ TEST(ImageEndingTest, IsToldByTheFirstBytes) {
   EXPECT_EQ(ImageEnding(""), "");
 }
 
-TEST(KeepGltfImagesTest, LeavesOutWebPWithAWarning) {
+TEST(KeepJpegAndPngTest, LeavesOutWebPWithAWarning) {
   DeliveryTile tile;
   tile.images = {"\xff\xd8\xff a photograph", std::string("RIFF\1\2\3\4WEBPVP8", 15)};
   DeliveryPiece& piece = tile.pieces.emplace_back();
@@ -121,7 +121,7 @@ TEST(KeepGltfImagesTest, LeavesOutWebPWithAWarning) {
     surface.image = image;
     if (image >= 0) surface.uv.resize(3);
   }
-  KeepGltfImages(tile);
+  KeepJpegAndPng(tile);
   EXPECT_EQ(piece.surfaces[0].image, 0);
   EXPECT_EQ(piece.surfaces[0].uv.size(), 3U);
   EXPECT_EQ(piece.surfaces[1].image, -1);

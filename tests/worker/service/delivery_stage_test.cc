@@ -21,7 +21,7 @@ v1::AssembleInput InputFor(const std::string& path, const std::string& format, c
   return input;
 }
 
-TEST(DeliverTileTest, ATreeIsWrittenInBothFormats) {
+TEST(DeliverTileTest, ATreeIsWrittenInOtherFormats) {
   const std::string pack = OsgbScene().Pack(0);
   const auto tileset = DeliverTile(InputFor("a/a.osgb", "3dtiles", "a/b.json"), {pack, nullptr, {}, ""});
   ASSERT_TRUE(tileset.ok()) << tileset.status();
@@ -31,6 +31,10 @@ TEST(DeliverTileTest, ATreeIsWrittenInBothFormats) {
   ASSERT_TRUE(obj.ok()) << obj.status();
   EXPECT_EQ(obj->files.size(), 6u);
   EXPECT_EQ(obj->files[0].name, "b.obj");
+  const auto ply = DeliverTile(InputFor("a/a.osgb", "ply", "a/b.ply"), {pack, nullptr, {}, ""});
+  ASSERT_TRUE(ply.ok()) << ply.status();
+  EXPECT_EQ(ply->files.size(), 5u);
+  EXPECT_EQ(ply->files[0].name, "b.ply");
 }
 
 TEST(DeliverTileTest, ACellWithoutATileIsItsPatch) {
@@ -49,7 +53,7 @@ TEST(DeliverTileTest, ACellWithoutATileIsItsPatch) {
 
 TEST(DeliverTileTest, AnotherFormatIsAnError) {
   const std::string pack = OsgbScene().Pack(0);
-  const auto made = DeliverTile(InputFor("a/a.osgb", "ply", "a/b.ply"), {pack, nullptr, {}, ""});
+  const auto made = DeliverTile(InputFor("a/a.osgb", "fbx", "a/b.fbx"), {pack, nullptr, {}, ""});
   EXPECT_EQ(made.status().code(), absl::StatusCode::kInvalidArgument);
 }
 

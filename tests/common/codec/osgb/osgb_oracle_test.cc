@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "common/codec/osgb/osgb_new.h"
 #include "common/util/files.h"
 #include "tests/common/codec/osgb/osgb_checks.h"
 #include "tests/fuzz/osgb_property.h"
@@ -219,6 +220,35 @@ TEST_P(OsgbOracleTest, ReadsAppendedGeometry) {
   EXPECT_EQ(TextureOf(*scene.geometries[2])->getWrap(osg::Texture::WRAP_S), osg::Texture::CLAMP_TO_EDGE);
 }
 
+TEST(OsgbOracleNewTest, ReadsANewFile) {
+  OsgbNode coarse{{OsgbTriangle()}, "a_L1_0.osgb", {1, 2, 3}, 7, 300};
+  OsgbPatch plain = OsgbTriangle();
+  plain.image.clear();
+  plain.colour = {255, 51, 0};
+  const std::vector<OsgbNode> nodes = {coarse, {{plain, OsgbTriangle()}, "", Point3::Zero(), 0, 0}};
+  const absl::StatusOr<std::string> bytes = NewOsgb(nodes, "a.osgb");
+  ASSERT_TRUE(bytes.ok()) << bytes.status();
+  const OsgScene scene = ReadWithOsg(*bytes);
+  ASSERT_EQ(scene.geometries.size(), 3u);
+  ExpectSameGeometries(*bytes, scene);
+  EXPECT_NE(TextureOf(*scene.geometries[0]), nullptr);
+  EXPECT_EQ(TextureOf(*scene.geometries[1]), nullptr);
+  const auto* const group = dynamic_cast<const osg::Group*>(scene.root.get());
+  ASSERT_NE(group, nullptr);
+  ASSERT_EQ(group->getNumChildren(), 2u);
+  const auto* const lod = dynamic_cast<const osg::PagedLOD*>(group->getChild(0));
+  ASSERT_NE(lod, nullptr);
+  EXPECT_EQ(lod->getFileName(1), "a_L1_0.osgb");
+  EXPECT_EQ(lod->getRangeMode(), osg::LOD::PIXEL_SIZE_ON_SCREEN);
+  EXPECT_EQ(lod->getCenter(), osg::Vec3(1, 2, 3));
+  EXPECT_EQ(lod->getRadius(), 7);
+  EXPECT_EQ(lod->getMaxRange(0), 300);
+  EXPECT_EQ(lod->getMinRange(1), 300);
+  const absl::StatusOr<OsgbFile> file = ReadOsgb(*bytes, "a.osgb");
+  EXPECT_EQ(bytes->substr(file->images.at(0).offset, file->images[0].size), OsgbTriangle().image);
+  EXPECT_EQ(OsgbPropertyViolation(*bytes), "");
+}
+
 TEST_P(OsgbOracleTest, ReadsAFileWithoutSomeTriangles) {
   const absl::StatusOr<std::string> bytes =
       DropOsgbTriangles(BuiltOsgbScene(GetParam()), {true, false, true, true, false, false}, "a.osgb");
@@ -228,6 +258,49 @@ TEST_P(OsgbOracleTest, ReadsAFileWithoutSomeTriangles) {
   EXPECT_EQ(TrianglesOf(*scene.geometries[0]).size(), 1u);
   EXPECT_TRUE(TrianglesOf(*scene.geometries[1]).empty());
   ExpectSameGeometries(*bytes, scene);
+}
+
+// The geometries of a file as those of a new one.
+OsgbNode NodeOf(const OsgbFile& file, const std::string& bytes) {
+  OsgbNode node;
+  for (const OsgbGeometry& geometry : file.geometries) {
+    OsgbPatch& patch = node.geometries.emplace_back();
+    const auto points = file.points.begin() + geometry.first_vertex;
+    const auto uv = file.uv.begin() + geometry.first_vertex;
+    patch.points.assign(points, points + geometry.vertex_count);
+    patch.uv.assign(uv, uv + geometry.vertex_count);
+    for (int32_t k = 0; k < geometry.triangle_count; ++k) {
+      Triangle triangle = file.triangles[static_cast<size_t>(geometry.first_triangle + k)];
+      for (int32_t& corner : triangle) corner -= geometry.first_vertex;
+      patch.triangles.push_back(triangle);
+    }
+    const OsgbImage& image = file.images.at(static_cast<size_t>(geometry.texture));
+    patch.image = bytes.substr(image.offset, image.size);
+    patch.image_name = "a.jpg";
+  }
+  return node;
+}
+
+TEST(OsgbOracleExportTest, ReadsAnExportWrittenAnew) {
+  if (SharedOsgbFiles().empty()) GTEST_SKIP() << kNoSharedOsgb;
+  const absl::StatusOr<std::string> original = ReadFile(SharedOsgbFiles().back().string());
+  ASSERT_TRUE(original.ok()) << original.status();
+  const OsgbFile was = *ReadOsgb(*original, "a.osgb");
+  const OsgbNode node = NodeOf(was, *original);
+  const absl::StatusOr<std::string> bytes = NewOsgb({&node, 1}, "a.osgb");
+  ASSERT_TRUE(bytes.ok()) << bytes.status();
+  const OsgbFile is = *ReadOsgb(*bytes, "a.osgb");
+  EXPECT_EQ(is.points, was.points);
+  EXPECT_EQ(is.uv, was.uv);
+  EXPECT_EQ(is.triangles, was.triangles);
+  const OsgScene scene = ReadWithOsg(*bytes);
+  ExpectSameGeometries(*bytes, scene);
+  for (size_t g = 0; g < scene.geometries.size(); ++g) {
+    const OsgbImage& image = is.images.at(static_cast<size_t>(is.geometries[g].texture));
+    EXPECT_EQ(bytes->substr(image.offset, image.size), node.geometries[g].image);
+    ASSERT_NE(TextureOf(*scene.geometries[g]), nullptr);
+    EXPECT_GT(TextureOf(*scene.geometries[g])->getImage()->s(), 0);
+  }
 }
 
 // The image of the file's first texture, as new geometry's: OpenSceneGraph decodes both.

@@ -1,0 +1,78 @@
+#include "worker/delivery/ply_delivery.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/codec/mesh_file.h"
+#include "common/codec/ply_colours.h"
+#include "common/image/image.h"
+
+namespace tilemend {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+// Two triangles that share an edge, with an image and in one colour.
+DeliveryTile TwoSurfaces(double x) {
+  DeliveryTile tile;
+  tile.images = {"\xff\xd8\xff a photograph"};
+  DeliveryPiece& piece = tile.pieces.emplace_back();
+  DeliverySurface photographed{{{{x, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, {}, 0, {}};
+  photographed.uv = {{0.25F, 0}, {1, 0}, {0, 1}};
+  const DeliverySurface plain{{{{0, 1, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1, 2}}}, {}, -1, {10, 200, 30}};
+  piece.surfaces = {photographed, plain};
+  return tile;
+}
+
+MeshFile ReadPly(const DeliveryFile& file) {
+  const auto mesh = ParseMesh(MeshFormat::kPly, file.bytes, file.name);
+  EXPECT_TRUE(mesh.ok()) << mesh.status();
+  return *mesh;
+}
+
+TEST(PlyDeliveryTest, FacesHaveImagesAndShareVertices) {
+  const auto files = PlyFilesOf(TwoSurfaces(0.5), "a");
+  ASSERT_TRUE(files.ok()) << files.status();
+  ASSERT_EQ(files->size(), 3U);
+  const MeshFile read = ReadPly(files->at(0));
+  EXPECT_EQ(read.mesh.points.size(), 4U);
+  EXPECT_EQ(read.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}}));
+  EXPECT_THAT(PlyTextureNames(files->at(0).bytes), ElementsAre("a_0.jpg", "a_1.jpg"));
+  EXPECT_EQ(files->at(1).bytes, "\xff\xd8\xff a photograph");
+  const auto plain = DecodeImage(files->at(2).bytes, "plain");
+  ASSERT_TRUE(plain.ok()) << plain.status();
+  const Rgb colour = TexelAt(*plain, 0.5, 0.5);
+  EXPECT_NEAR(colour.r, 10, 2);
+  EXPECT_NEAR(colour.g, 200, 2);
+  EXPECT_NEAR(colour.b, 30, 2);
+  // The first face: three indices, six places, the image.
+  const std::string& bytes = files->at(0).bytes;
+  constexpr size_t kFace = 1 + 3 * 4 + 1 + 6 * 4 + 4;
+  const std::string face = bytes.substr(bytes.size() - 2 * kFace, kFace);
+  EXPECT_EQ(face.substr(13, 5), std::string("\6\0\0\x80\x3e", 5)) << "0.25";
+  EXPECT_EQ(face.substr(kFace - 4), std::string(4, '\0'));
+}
+
+TEST(PlyDeliveryTest, CoordinatesAreFloat32OnlyIfThatKeepsTheirBits) {
+  EXPECT_THAT(PlyFilesOf(TwoSurfaces(0.5), "a")->at(0).bytes, HasSubstr("property float x"));
+  const auto wide = PlyFilesOf(TwoSurfaces(0.1), "a");
+  EXPECT_THAT(wide->at(0).bytes, HasSubstr("property double x"));
+  EXPECT_EQ(ReadPly(wide->at(0)).mesh.points[0].x(), 0.1);
+}
+
+TEST(PlyDeliveryTest, WithoutImagesVerticesHaveTheColours) {
+  const TriMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {2, 1, 3}}};
+  const ColourRun runs[] = {{0, {1, 2, 3}}, {1, {4, 5, 6}}};
+  const auto files = PlyFilesOf(DeliveryOfColours(mesh, runs), "a");
+  ASSERT_TRUE(files.ok()) << files.status();
+  ASSERT_EQ(files->size(), 1U);
+  EXPECT_EQ(ReadPly(files->at(0)).mesh.points.size(), 6U);
+  const auto colours = PlyVertexColours(files->at(0).bytes, {0, 1, 2, 3}, "a");
+  ASSERT_TRUE(colours.ok()) << colours.status();
+  EXPECT_EQ((*colours)[0], (Rgb{1, 2, 3}));
+  EXPECT_EQ((*colours)[3], (Rgb{4, 5, 6}));
+}
+
+}  // namespace
+}  // namespace tilemend

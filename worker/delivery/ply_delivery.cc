@@ -1,0 +1,154 @@
+#include "worker/delivery/ply_delivery.h"
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "common/image/image.h"
+#include "common/util/status_macros.h"
+
+static_assert(std::endian::native == std::endian::little, "numbers are copied as they lie");
+
+namespace tilemend {
+namespace {
+
+uint32_t NumberOf(const Rgb& colour) { return uint32_t{colour.r} << 16 | uint32_t{colour.g} << 8 | uint32_t{colour.b}; }
+
+// Of one block, at a quality that changes a colour by a step or two at most.
+absl::StatusOr<std::string> PlainJpeg(const Rgb& colour) {
+  constexpr int kSide = 8, kQuality = 100;
+  Image image;
+  image.width = image.height = kSide;
+  for (int i = 0; i < kSide * kSide; ++i) image.pixels.insert(image.pixels.end(), {colour.r, colour.g, colour.b});
+  return EncodeJpeg(image, kQuality);
+}
+
+class PlyMaker {
+ public:
+  PlyMaker(const DeliveryTile& tile, const std::string& stem)
+      : tile_(tile), stem_(stem), has_images_(!tile.images.empty()) {}
+
+  absl::StatusOr<std::vector<DeliveryFile>> Make() {
+    files_.push_back({stem_ + ".ply", ""});
+    for (const std::string& image : tile_.images) AddImage(image);
+    for (const DeliveryPiece& piece : tile_.pieces) {
+      for (const DeliverySurface& surface : piece.surfaces) {
+        TILEMEND_ASSIGN_OR_RETURN(const int32_t image, ImageFor(surface));
+        for (const Triangle& triangle : surface.mesh.triangles) AddFace(surface, triangle, image);
+      }
+    }
+    files_[0].bytes = absl::StrCat(Header(), Vertices(), faces_);
+    return std::move(files_);
+  }
+
+ private:
+  using VertexKey = std::pair<std::array<uint64_t, 3>, uint32_t>;  // bits of the position, colour
+
+  int32_t AddImage(std::string bytes) {
+    const auto number = static_cast<int32_t>(files_.size()) - 1;
+    std::string name = absl::StrCat(stem_, "_", number, ".", std::string(ImageEnding(bytes)));
+    files_.push_back({std::move(name), std::move(bytes)});
+    return number;
+  }
+
+  // -1 if there are no images.
+  absl::StatusOr<int32_t> ImageFor(const DeliverySurface& surface) {
+    if (surface.image >= 0 || !has_images_) return surface.image;
+    const auto [at, is_new] = plain_.try_emplace(NumberOf(surface.colour), 0);
+    if (is_new) {
+      TILEMEND_ASSIGN_OR_RETURN(std::string bytes, PlainJpeg(surface.colour));
+      at->second = AddImage(std::move(bytes));
+    }
+    return at->second;
+  }
+
+  void AddFace(const DeliverySurface& surface, const Triangle& triangle, int32_t image) {
+    faces_ += '\3';
+    for (const int32_t corner : triangle) {
+      AppendNumber(VertexOf(surface.mesh.points[static_cast<size_t>(corner)], surface.colour), faces_);
+    }
+    if (image < 0) {
+      ++face_count_;
+      return;
+    }
+    constexpr std::array<float, 2> kMiddle = {0.5F, 0.5F};
+    faces_ += '\6';
+    for (const int32_t corner : triangle) {
+      for (const float place : surface.uv.empty() ? kMiddle : surface.uv[static_cast<size_t>(corner)]) {
+        AppendNumber(place, faces_);
+      }
+    }
+    AppendNumber(image, faces_);
+    ++face_count_;
+  }
+
+  int32_t VertexOf(const Point3& point, const Rgb& colour) {
+    VertexKey key;
+    for (size_t axis = 0; axis < 3; ++axis) {
+      key.first[axis] = std::bit_cast<uint64_t>(point[static_cast<int>(axis)]);
+    }
+    key.second = has_images_ ? 0 : NumberOf(colour);
+    const auto [at, is_new] = numbers_.try_emplace(key, static_cast<int32_t>(points_.size()));
+    if (is_new) {
+      points_.push_back(point);
+      if (!has_images_) colours_.push_back(colour);
+      is_narrow_ = is_narrow_ && point == point.cast<float>().cast<double>();
+    }
+    return at->second;
+  }
+
+  std::string Header() const {
+    std::string text = "ply\nformat binary_little_endian 1.0\n";
+    for (size_t f = 1; f < files_.size(); ++f) absl::StrAppend(&text, "comment TextureFile ", files_[f].name, "\n");
+    absl::StrAppend(&text, "element vertex ", points_.size(), "\n");
+    for (const char* axis : {"x", "y", "z"}) {
+      absl::StrAppend(&text, "property ", is_narrow_ ? "float " : "double ", axis, "\n");
+    }
+    if (!has_images_) text += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+    absl::StrAppend(&text, "element face ", face_count_, "\nproperty list uchar int vertex_indices\n");
+    if (has_images_) text += "property list uchar float texcoord\nproperty int texnumber\n";
+    return text + "end_header\n";
+  }
+
+  std::string Vertices() const {
+    std::string bytes;
+    for (size_t v = 0; v < points_.size(); ++v) {
+      for (const double value : points_[v]) {
+        is_narrow_ ? AppendNumber(static_cast<float>(value), bytes) : AppendNumber(value, bytes);
+      }
+      if (has_images_) continue;
+      for (const uint8_t channel : {colours_[v].r, colours_[v].g, colours_[v].b}) bytes += static_cast<char>(channel);
+    }
+    return bytes;
+  }
+
+  // Little-endian.
+  template <typename Number>
+  static void AppendNumber(Number value, std::string& bytes) {
+    std::array<char, sizeof(Number)> own = std::bit_cast<std::array<char, sizeof(Number)>>(value);
+    bytes.append(own.data(), own.size());
+  }
+
+  const DeliveryTile& tile_;
+  const std::string& stem_;
+  const bool has_images_;
+  std::vector<DeliveryFile> files_;
+  std::map<uint32_t, int32_t> plain_;  // images of one colour
+  std::map<VertexKey, int32_t> numbers_;
+  std::vector<Point3> points_;
+  std::vector<Rgb> colours_;
+  bool is_narrow_ = true;
+  std::string faces_;
+  int64_t face_count_ = 0;
+};
+
+}  // namespace
+
+absl::StatusOr<std::vector<DeliveryFile>> PlyFilesOf(const DeliveryTile& tile, const std::string& stem) {
+  return PlyMaker(tile, stem).Make();
+}
+
+}  // namespace tilemend

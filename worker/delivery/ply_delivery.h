@@ -1,0 +1,25 @@
+// A tile written as a PLY file, with its images beside it.
+#ifndef TILEMEND_WORKER_DELIVERY_PLY_DELIVERY_H_
+#define TILEMEND_WORKER_DELIVERY_PLY_DELIVERY_H_
+
+#include <string>
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "worker/delivery/delivery_tile.h"
+#include "worker/delivery/tileset_delivery.h"
+
+namespace tilemend {
+
+// The binary file "`stem`.ply" (first) and an image for each image of the tile, with its bytes. All pieces are written;
+// equal positions are one vertex. Coordinates are float32 if that keeps their bits, else float64.
+//
+// A tile with images has them as MeshLab does: "comment TextureFile NAME", and for each face the image's number
+// (texnumber) and the places of its corners (texcoord). Its faces of one colour get an image of that colour. In a tile
+// without images, vertices have the colours, so that one at the border of two colours is written for each. Errors of
+// EncodeJpeg. O(n log n).
+absl::StatusOr<std::vector<DeliveryFile>> PlyFilesOf(const DeliveryTile& tile, const std::string& stem);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_DELIVERY_PLY_DELIVERY_H_
