@@ -62,9 +62,25 @@ class MeshFiller {
       filled_.report.warnings.push_back(
           absl::StrCat(mesh_.name(), ": every face is there more than once; the holes of one copy were filled"));
     }
+    WarnOfTurnedFaces();
     EndStep("read");
     show_("find holes", 0, 0);
     return absl::OkStatus();
+  }
+
+  void WarnOfTurnedFaces() {
+    const int64_t turned = survey_.record.turned_triangles, left = survey_.record.disagreeing_edges;
+    if (turned > 0) {
+      filled_.report.warnings.push_back(
+          absl::StrCat(mesh_.name(), ": ", turned, " of its ", survey_.record.triangle_count,
+                       " faces are turned the other way than most around them; holes were found and filled as if they "
+                       "were turned back, and the output keeps these faces as they are"));
+    }
+    if (left > 0) {
+      filled_.report.warnings.push_back(absl::StrCat(
+          mesh_.name(), ": at ", left,
+          " edges the two faces are turned opposite ways, and the surface there has one side only; orient its faces"));
+    }
   }
 
   // A mesh of needles alone has no hole, and nothing else either.

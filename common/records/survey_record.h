@@ -65,6 +65,13 @@ struct SurveyRecord : SurveySummary {
   // there once. Not sent, as above.
   int64_t repeated_edges = 0;
 
+  // Faces of a mesh that are turned the other way than most around them: it was surveyed as if they were not. Not sent,
+  // as above.
+  int64_t turned_triangles = 0;
+
+  // Edges of two faces that are turned opposite ways, at which no turning of faces helps. Not sent, as above.
+  int64_t disagreeing_edges = 0;
+
   // What the surface looks like at the boundary vertices; empty: the tile has no colours.
   std::vector<std::optional<Rgb>> colours;
 

@@ -39,8 +39,6 @@ std::string_view PostgresRows::Bytes(int row, int column) const {
   return {PQgetvalue(result_.get(), row, column), static_cast<size_t>(PQgetlength(result_.get(), row, column))};
 }
 
-bool PostgresRows::IsNull(int row, int column) const { return PQgetisnull(result_.get(), row, column) == 1; }
-
 void PostgresConnection::Closer::operator()(pg_conn* connection) const { PQfinish(connection); }
 
 absl::StatusOr<PostgresConnection> PostgresConnection::Open(const std::string& where) {

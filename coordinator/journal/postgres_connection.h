@@ -25,10 +25,9 @@ class PostgresRows {
   int size() const;
   // Rows that were inserted, updated or deleted.
   int64_t changed() const;
-  // Of columns of type BIGINT and BYTEA. Bytes hold as long as the rows; none of NULL.
+  // Of columns of type BIGINT and BYTEA. Bytes hold as long as the rows.
   int64_t Int(int row, int column) const;
   std::string_view Bytes(int row, int column) const;
-  bool IsNull(int row, int column) const;
 
  private:
   friend class PostgresConnection;

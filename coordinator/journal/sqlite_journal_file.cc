@@ -75,10 +75,13 @@ absl::Status Make(const std::string& path) {
   std::error_code ignored;
   for (const char* suffix : {"", "-journal"}) fs::remove(made + suffix, ignored);
   {
-    TILEMEND_ASSIGN_OR_RETURN(SqliteDatabase database, SqliteDatabase::Open(made));
-    TILEMEND_RETURN_IF_ERROR(database.Run(absl::StrCat(
-        "PRAGMA synchronous=FULL; PRAGMA auto_vacuum=INCREMENTAL; PRAGMA application_id=", kJournalApplication,
-        "; PRAGMA user_version=", kJournalVersion, "; BEGIN;", kSqliteTables, "COMMIT;")));
+    TILEMEND_ASSIGN_OR_RETURN(SQLite::Database database, OpenSqlite(made));
+    TILEMEND_RETURN_IF_ERROR(CatchSqlite(database, [&] {
+      database.exec(absl::StrCat(
+          "PRAGMA synchronous=FULL; PRAGMA auto_vacuum=INCREMENTAL; PRAGMA application_id=", kJournalApplication,
+          "; PRAGMA user_version=", kJournalVersion, "; BEGIN;", kSqliteTables, "COMMIT;"));
+      return absl::OkStatus();
+    }));
   }
   FailPoint("journal.make");
   // A write-ahead log without its database is of no use, and must not be taken for that of the new one.
@@ -90,15 +93,18 @@ absl::Status Make(const std::string& path) {
 
 }  // namespace
 
-absl::StatusOr<SqliteDatabase> OpenJournalFile(const std::string& path) {
+absl::StatusOr<SQLite::Database> OpenJournalFile(const std::string& path) {
   std::error_code error;
   const bool is_there = fs::exists(fs::symlink_status(path, error));
   TILEMEND_RETURN_IF_ERROR(is_there ? CheckHeader(path) : Make(path));
-  TILEMEND_ASSIGN_OR_RETURN(SqliteDatabase database, SqliteDatabase::Open(path));
-  TILEMEND_RETURN_IF_ERROR(database.Run(kSettings));
-  // What an earlier process wrote last goes from the log into the file, and is on the disk.
-  TILEMEND_RETURN_IF_ERROR(database.Run("PRAGMA wal_checkpoint(TRUNCATE);"));
-  TILEMEND_RETURN_IF_ERROR(database.Run(kLaterTables));
+  TILEMEND_ASSIGN_OR_RETURN(SQLite::Database database, OpenSqlite(path));
+  TILEMEND_RETURN_IF_ERROR(CatchSqlite(database, [&] {
+    database.exec(kSettings);
+    // What an earlier process wrote last goes from the log into the file, and is on the disk.
+    database.exec("PRAGMA wal_checkpoint(TRUNCATE);");
+    database.exec(kLaterTables);
+    return absl::OkStatus();
+  }));
   return database;
 }
 

@@ -19,8 +19,8 @@ inline constexpr uint32_t kJournalVersion = 1;               // of its tables
 //   kInvalidArgument   of another program, or of a newer release
 //   kDataLoss          damaged, cut off
 //   kAborted           another process has it open
-// and the errors of SqliteDatabase.
-absl::StatusOr<SqliteDatabase> OpenJournalFile(const std::string& path);
+// and the errors of StatusOf.
+absl::StatusOr<SQLite::Database> OpenJournalFile(const std::string& path);
 
 }  // namespace tilemend
 

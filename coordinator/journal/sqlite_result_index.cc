@@ -3,46 +3,38 @@
 #include <algorithm>
 #include <cstring>
 #include <string>
-#include <utility>
-
-#include "common/util/status_macros.h"
+#include <string_view>
 
 namespace tilemend {
 
-absl::StatusOr<int64_t> SqliteResultIndex::ReadAll(SqliteDatabase& database, const std::set<int64_t>& jobs) {
-  TILEMEND_ASSIGN_OR_RETURN(SqliteStatement read,
-                            database.Prepare("SELECT number, job, name, inside, length(output) FROM result"));
+int64_t SqliteResultIndex::ReadAll(const SQLite::Database& database, const std::set<int64_t>& jobs) {
+  SQLite::Statement read(database, "SELECT number, job, name, inside, length(output) FROM result");
   std::lock_guard<std::mutex> lock(mutex_);
   int64_t last = 0;
-  while (true) {
-    TILEMEND_ASSIGN_OR_RETURN(const bool is_there, read.Step());
-    if (!is_there) return last;
-    last = read.Int(0);
-    if (jobs.contains(read.Int(1))) Add(read, jobs_[read.Int(1)]);
+  while (read.executeStep()) {
+    last = IntOf(read, 0);
+    if (jobs.contains(IntOf(read, 1))) Add(read, jobs_[IntOf(read, 1)]);
   }
+  return last;
 }
 
-absl::Status SqliteResultIndex::ReadJob(SqliteDatabase& database, int64_t job) {
-  TILEMEND_ASSIGN_OR_RETURN(
-      SqliteStatement read,
-      database.Prepare("SELECT number, job, name, inside, length(output) FROM result WHERE job = ? ORDER BY number"));
-  read.Bind(0, job);
+void SqliteResultIndex::ReadJob(const SQLite::Database& database, int64_t job) {
+  SQLite::Statement read(database,
+                         "SELECT number, job, name, inside, length(output) FROM result WHERE job = ? ORDER BY number");
+  With(read, job);
   std::lock_guard<std::mutex> lock(mutex_);
   Rows& rows = jobs_[job] = {};
-  while (true) {
-    TILEMEND_ASSIGN_OR_RETURN(const bool is_there, read.Step());
-    if (!is_there) return absl::OkStatus();
-    Add(read, rows);
-  }
+  while (read.executeStep()) Add(read, rows);
 }
 
 // A row of a query for number, job, name, inside and the length of the output.
-void SqliteResultIndex::Add(const SqliteStatement& read, Rows& rows) {
+void SqliteResultIndex::Add(const SQLite::Statement& read, Rows& rows) {
   NameBytes name{};
   // A name of another length is that of a damaged row, which nobody finds: its task is done again.
-  std::memcpy(name.data(), read.Bytes(2).data(), std::min(name.size(), read.Bytes(2).size()));
-  rows.last[name] = read.Int(0);
-  if (read.Int(3) == 0 && read.Int(4) > 0) rows.blobs.push_back(read.Int(0));
+  const std::string_view bytes = BytesOf(read, 2);
+  std::memcpy(name.data(), bytes.data(), std::min(name.size(), bytes.size()));
+  rows.last[name] = IntOf(read, 0);
+  if (IntOf(read, 3) == 0 && IntOf(read, 4) > 0) rows.blobs.push_back(IntOf(read, 0));
 }
 
 void SqliteResultIndex::Forget(int64_t job) {

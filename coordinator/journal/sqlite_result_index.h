@@ -10,8 +10,6 @@
 #include <vector>
 
 #include "absl/container/flat_hash_map.h"
-#include "absl/status/status.h"
-#include "absl/status/statusor.h"
 #include "coordinator/journal/journal.h"
 #include "coordinator/journal/journal_rows.h"
 #include "coordinator/journal/sqlite_database.h"
@@ -19,13 +17,13 @@
 namespace tilemend {
 
 // Numbers of rows of the table `result`. In memory: 24 bytes a result. Thread-safe; Find waits for no disk, but for
-// ReadJob. Errors of SqliteStatement.
+// ReadJob. Those that read throw SQLite::Exception.
 class SqliteResultIndex {
  public:
   // The rows of these jobs. Returns the last number of all rows.
-  absl::StatusOr<int64_t> ReadAll(SqliteDatabase& database, const std::set<int64_t>& jobs);
+  int64_t ReadAll(const SQLite::Database& database, const std::set<int64_t>& jobs);
   // The rows of a job, in place of what is known of it. Cost O(all rows).
-  absl::Status ReadJob(SqliteDatabase& database, int64_t job);
+  void ReadJob(const SQLite::Database& database, int64_t job);
   void Forget(int64_t job);
 
   // The last row of the task.
@@ -38,7 +36,7 @@ class SqliteResultIndex {
     absl::flat_hash_map<NameBytes, int64_t> last;  // by name
     std::vector<int64_t> blobs;
   };
-  static void Add(const SqliteStatement& read, Rows& rows);
+  static void Add(const SQLite::Statement& read, Rows& rows);
 
   mutable std::mutex mutex_;
   std::map<int64_t, Rows> jobs_;

@@ -1,6 +1,7 @@
 #include "worker/survey/rim_spots.h"
 
 #include <unordered_set>
+#include <utility>
 
 #include "common/mesh/edge_key.h"
 #include "common/mesh/position_index.h"
@@ -29,7 +30,8 @@ std::vector<RimSpot> RimSpots(const TriMesh& mesh, const SurveyRecord& record) {
   std::vector<RimSpot> spots;
   for (size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (int k = 0; k < 3; ++k) {
-      const int32_t from = boundary[mesh.triangles[t][k]], to = boundary[mesh.triangles[t][(k + 1) % 3]];
+      int32_t from = boundary[mesh.triangles[t][k]], to = boundary[mesh.triangles[t][(k + 1) % 3]];
+      if (record.turned_triangles > 0 && from >= 0 && to >= 0 && edges.contains(EdgeKey(to, from))) std::swap(from, to);
       if (from < 0 || to < 0 || done[from] || !edges.contains(EdgeKey(from, to))) continue;
       done[from] = 1;
       RimSpot spot{from, static_cast<int32_t>(t), {kAtEdge, kAtEdge, kAtEdge}};

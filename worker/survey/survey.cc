@@ -11,6 +11,7 @@
 #include "common/mesh/disjoint_sets.h"
 #include "common/mesh/position_index.h"
 #include "common/mesh/triangle_shape.h"
+#include "worker/survey/orient_faces.h"
 
 namespace tilemend {
 namespace {
@@ -142,17 +143,19 @@ WeldedEdges FindWeldedEdges(const TriMesh& mesh, const std::vector<int32_t>& wel
   std::vector<int32_t> single;
   for (size_t i = 0; i < entries.size();) {
     size_t j = i + 1;
+    const HalfEdge& front = edges[entries[i].order];
     bool repeats = true;
     for (; j < entries.size() && entries[j].key == entries[i].key; ++j) {
-      const int32_t first = edges[entries[i].order].triangle, other = edges[entries[j].order].triangle;
-      result.across.emplace_back(first, other);
-      repeats = repeats && AreAtTheSameCorners(mesh, first, other);
+      const int32_t other = edges[entries[j].order].triangle;
+      result.across.emplace_back(front.triangle, other);
+      repeats = repeats && AreAtTheSameCorners(mesh, front.triangle, other);
     }
     if (j - i == 1) {
       single.push_back(entries[i].order);
     } else {
       record.repeated_edges += repeats;
     }
+    record.disagreeing_edges += j - i == 2 && !repeats && edges[entries[i + 1].order].from == front.from;
     if (j - i > 2) ++record.nonmanifold_edges;
     i = j;
   }
@@ -412,12 +415,19 @@ SurveyRecord SurveyAsItIs(const TriMesh& mesh, bool float32, PieceAreas areas) {
 
 SurveyRecord SurveyTile(const TriMesh& mesh, bool float32, PieceAreas areas) {
   SurveyRecord record = SurveyAsItIs(mesh, float32, areas);
-  if (areas == PieceAreas::kNo || record.repeated_edges == 0) return record;
-  const std::optional<TriMesh> once = WithoutCopies(mesh);
-  if (!once) return record;
-  record = SurveyAsItIs(*once, float32, areas);
+  if (areas == PieceAreas::kNo) return record;
+  std::optional<TriMesh> other = record.repeated_edges > 0 ? WithoutCopies(mesh) : std::nullopt;
+  const int64_t copied = other ? std::ssize(mesh.triangles) - std::ssize(other->triangles) : 0;
+  if (copied > 0) record = SurveyAsItIs(*other, float32, areas);
+  int64_t turned = 0;
+  if (record.disagreeing_edges > 0) {
+    if (!other) other = mesh;
+    turned = OrientFaces(*other);
+    if (turned > 0) record = SurveyAsItIs(*other, float32, areas);
+  }
   record.triangle_count = std::ssize(mesh.triangles);
-  record.copied_triangles = std::ssize(mesh.triangles) - std::ssize(once->triangles);
+  record.copied_triangles = copied;
+  record.turned_triangles = turned;
   return record;
 }
 

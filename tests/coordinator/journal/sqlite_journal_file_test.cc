@@ -32,12 +32,10 @@ TEST_F(SqliteJournalFileTest, IsMadeAndOpenedAgain) {
   for (int i = 0; i < 2; ++i) {
     auto database = OpenJournalFile(path_);
     ASSERT_TRUE(database.ok()) << database.status();
-    EXPECT_TRUE(database->Run("UPDATE epoch SET value = value + 1").ok());
+    database->exec("UPDATE epoch SET value = value + 1");
   }
   auto database = OpenJournalFile(path_);
-  auto read = database->Prepare("SELECT value FROM epoch");
-  ASSERT_TRUE(*read->Step());
-  EXPECT_EQ(read->Int(0), 2);
+  EXPECT_EQ(database->execAndGet("SELECT value FROM epoch").getInt64(), 2);
   EXPECT_FALSE(std::filesystem::exists(path_ + "-new"));
 }
 
@@ -46,7 +44,7 @@ TEST_F(SqliteJournalFileTest, TheRestOfOneThatWasBeingMadeIsNoHindrance) {
   folder_.Write("journal.sqlite-wal", "of nothing");
   auto database = OpenJournalFile(path_);
   ASSERT_TRUE(database.ok()) << database.status();
-  EXPECT_TRUE(database->Run("SELECT * FROM job").ok());
+  EXPECT_EQ(database->execAndGet("SELECT count(*) FROM job").getInt64(), 0);
 }
 
 TEST_F(SqliteJournalFileTest, CommitsAreSynced) {
@@ -54,9 +52,7 @@ TEST_F(SqliteJournalFileTest, CommitsAreSynced) {
   const std::pair<const char*, std::string> settings[] = {
       {"journal_mode", "wal"}, {"locking_mode", "exclusive"}, {"synchronous", "2"}, {"mmap_size", "0"}};
   for (const auto& [name, value] : settings) {
-    auto read = database->Prepare(absl::StrCat("PRAGMA ", name));
-    ASSERT_TRUE(*read->Step()) << name;
-    EXPECT_EQ(read->Bytes(0), value) << name;
+    EXPECT_EQ(database->execAndGet(absl::StrCat("PRAGMA ", name)).getString(), value) << name;
   }
 }
 
@@ -72,13 +68,13 @@ TEST_F(SqliteJournalFileTest, RefusesAFileOfAnotherProgram) {
 }
 
 TEST_F(SqliteJournalFileTest, RefusesADatabaseOfAnotherProgram) {
-  ASSERT_TRUE(SqliteDatabase::Open(path_)->Run("CREATE TABLE job(number)").ok());
+  OpenSqlite(path_)->exec("CREATE TABLE job(number)");
   EXPECT_TRUE(absl::IsInvalidArgument(Refusal()));
 }
 
 TEST_F(SqliteJournalFileTest, RefusesANewerRelease) {
   Make();
-  ASSERT_TRUE(SqliteDatabase::Open(path_)->Run("PRAGMA user_version=2; PRAGMA wal_checkpoint(TRUNCATE)").ok());
+  OpenSqlite(path_)->exec("PRAGMA user_version=2; PRAGMA wal_checkpoint(TRUNCATE)");
   const absl::Status status = Refusal();
   EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
   EXPECT_THAT(std::string(status.message()), HasSubstr("version 2"));

@@ -42,9 +42,7 @@ class SqliteJournalTest : public ::testing::Test {
   // Rows of `result` in the file, once nobody has it open.
   int64_t CountResults() const {
     auto database = OpenJournalFile(path_);
-    auto count = database->Prepare("SELECT (SELECT count(*) FROM result) + (SELECT count(*) FROM content)");
-    EXPECT_TRUE(*count->Step());
-    return count->Int(0);
+    return database->execAndGet("SELECT (SELECT count(*) FROM result) + (SELECT count(*) FROM content)").getInt64();
   }
 
   const TemporaryFolder folder_;
@@ -287,7 +285,7 @@ TEST_F(SqliteJournalTest, KeepsWhoIsSetAside) {
 
 TEST_F(SqliteJournalTest, AJournalOfBeforeGetsTheTablesItLacks) {
   { Open()->PutJob(NewJob(1)); }
-  { EXPECT_TRUE(OpenJournalFile(path_)->Run("DROP TABLE aside").ok()); }
+  OpenJournalFile(path_)->exec("DROP TABLE aside");
   const auto journal = Open();
   EXPECT_EQ(journal->TakeJobs().size(), 1U);
   EXPECT_TRUE(journal->TakeSetAside().empty());
