@@ -290,7 +290,7 @@ int CheckMesh(const std::string& path, const Limits& limits, OutputFormat format
   options.single_mesh = options.plan_only = true;
   options.plan.water.find = false;
   SceneWaves waves(SceneOfMesh(path), options);
-  while (waves.Next()) waves.TakeSurvey({0, 0}, SurveyOf(*file));
+  while (waves.Next()) waves.Take(SurveyInMemory({0, 0}, SurveyOf(*file))).IgnoreError();  // nothing is cleared
   return Finish(path, limits, all, waves.plan(), format);
 }
 

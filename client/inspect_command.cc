@@ -101,7 +101,7 @@ std::string PlanText(const Json& plan) {
 
 std::string SceneText(const Inspection& inspection, const Json& plan) {
   const Scene& scene = inspection.waves->scene();
-  const std::map<CellId, StoredRecord>& records = inspection.waves->records();
+  const std::map<CellId, StoredRecord>& records = inspection.waves->survey().records();
   int64_t triangles = 0;
   std::vector<std::vector<std::string>> rows;
   for (const auto& [cell, stored] : records) {
@@ -175,7 +175,7 @@ absl::Status CheckIsNew(const std::string& path) {
 
 absl::Status WriteProposal(const std::string& path, const SceneWaves& waves) {
   if (path.empty()) return absl::OkStatus();
-  const PlanePolygon area = ProposeArea(waves.scene().grid, waves.records());
+  const PlanePolygon area = ProposeArea(waves.scene().grid, waves.survey().records());
   if (area.empty()) return absl::FailedPreconditionError(absl::StrCat(path, ": too little surface to propose an area"));
   TILEMEND_RETURN_IF_ERROR(CheckIsNew(path));
   return WriteFileAtomically(path, AreaGeoJson(area, waves.scene()));
@@ -228,8 +228,8 @@ int InspectSceneAt(const Request& request) {
   Json tiles = Json::array();
   for (const SceneTile& tile : waves.scene().tiles) {
     Json row = {{"cell", {tile.cell.col, tile.cell.row}}, {"path", tile.path.empty() ? Json() : Json(tile.path)}};
-    const auto it = waves.records().find(tile.cell);
-    if (it != waves.records().end() && it->second != nullptr) row.update(RecordJson(*it->second.Outline()));
+    const auto it = waves.survey().records().find(tile.cell);
+    if (it != waves.survey().records().end() && it->second != nullptr) row.update(RecordJson(*it->second.Outline()));
     tiles.push_back(row);
   }
   plan["tiles"] = tiles;
@@ -251,7 +251,7 @@ int InspectMeshAt(const Request& request) {
   const SceneWaves& waves = *inspection.waves;
   if (const absl::Status status = WriteHoles(request.holes, waves); !status.ok()) return PrintError(status);
   PrintWarnings(PlanWarnings(waves.plan()));
-  const auto record = waves.records().at({0, 0}).Outline();
+  const auto record = waves.survey().records().at({0, 0}).Outline();
   const SurveyRecord& r = *record;
   const Json plan = PlanJson(waves.plan(), 1);
   if (request.format == OutputFormat::kJson) {

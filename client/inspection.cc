@@ -97,10 +97,8 @@ std::vector<Work> AllWork(SceneWaves& waves, std::optional<SceneWork>& next) {
 }
 
 absl::Status Take(CellId cell, Looked looked, SceneWaves& waves) {
-  if (!looked.tallies.empty()) return waves.TakeTallies(cell, looked.tallies);
-  TILEMEND_RETURN_IF_ERROR(waves.TakeCleared(cell, looked.cleared));
-  waves.TakeSurvey(cell, std::move(looked.record));
-  return absl::OkStatus();
+  if (!looked.tallies.empty()) return waves.Take(TileLevels{cell, std::move(looked.tallies)});
+  return waves.Take(SurveyInMemory(cell, std::move(looked.record), std::move(looked.cleared)));
 }
 
 template <typename Work>
@@ -122,12 +120,12 @@ void TellGround(SceneWaves& waves) {
     std::vector<Point3> vertices;
     for (const BoundaryVertex& v : works[i].record.Outline()->vertices) vertices.push_back(v.position);
     std::vector<GroundRaster> rasters;
-    for (const CellId cell : works[i].around) rasters.push_back(waves.records().at(cell).Outline()->lowest);
+    for (const CellId cell : works[i].around) rasters.push_back(waves.survey().records().at(cell).Outline()->lowest);
     ground[i] = GroundAtRim(vertices, rasters);
   });
   for (size_t i = 0; i < works.size(); ++i) {
     // As many values as the vertices: nothing is wrong with them.
-    waves.TakeGround(works[i].cell, std::move(ground[i])).IgnoreError();
+    waves.Take(CellGround{works[i].cell, std::move(ground[i])}).IgnoreError();
   }
   waves.Next();
 }

@@ -25,7 +25,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// By the beginning of a phase (coordinator/waves/scene_waves.cc).
+// By the beginning of a phase (PhaseOf in coordinator/waves/wave_order.h).
 constexpr std::pair<std::string_view, const char*> kStages[] = {
     {"measure", "measure levels"}, {"survey", "look at the tiles"}, {"ground", "tell ground from objects"},
     {"plan", "find the holes"},    {"sample", "fit the surface"},   {"smooth", "smooth the seams"},

@@ -25,7 +25,7 @@ constexpr char kLayer[] = "water";
 
 std::vector<ProposedSurface> SurfacesOf(const SceneWaves& waves) {
   std::vector<GroundRaster> rasters;
-  for (const auto& [cell, stored] : waves.records()) {
+  for (const auto& [cell, stored] : waves.survey().records()) {
     if (stored != nullptr) rasters.push_back(stored.Outline()->lowest);
   }
   std::vector<ProposedSurface> surfaces;

@@ -102,19 +102,18 @@ class MeshFiller {
 
   absl::Status Do(const MeasureWork& work) {
     TILEMEND_ASSIGN_OR_RETURN(const TriMesh mesh, mesh_.Mesh());
-    std::vector<HeightTally> tallies;
-    for (const PlanePolygon& polygon : work.polygons) tallies.push_back(TallyHeights(mesh, polygon));
-    return filled_.waves->TakeTallies(work.tile->cell, tallies);
+    TileLevels levels{work.tile->cell, {}};
+    for (const PlanePolygon& polygon : work.polygons) levels.tallies.push_back(TallyHeights(mesh, polygon));
+    return filled_.waves->Take(std::move(levels));
   }
 
   absl::Status Do(const SurveyWork& work) {
+    std::vector<int64_t> cleared;
     if (!work.clear.empty()) {
-      TILEMEND_ASSIGN_OR_RETURN(const std::vector<int64_t> cleared, mesh_.Clear(work.clear));
-      TILEMEND_RETURN_IF_ERROR(filled_.waves->TakeCleared(work.tile->cell, cleared));
+      TILEMEND_ASSIGN_OR_RETURN(cleared, mesh_.Clear(work.clear));
       TILEMEND_ASSIGN_OR_RETURN(survey_, mesh_.Survey(NoFaces::kAccept));
     }
-    filled_.waves->TakeSurvey(work.tile->cell, std::move(survey_.record));
-    return absl::OkStatus();
+    return filled_.waves->Take(SurveyInMemory(work.tile->cell, std::move(survey_.record), std::move(cleared)));
   }
 
   absl::Status Do(const FillWork& work) {
@@ -138,7 +137,7 @@ class MeshFiller {
     TILEMEND_RETURN_IF_ERROR(CheckNotCancelled());
     rim_ = work.holes.vertices;
     patches_ = patches;
-    return filled_.waves->TakeFill(work.holes.cell, {ExtentsOf(patches), TallyQuality(work.holes, patches)});
+    return filled_.waves->Take(CellFill{work.holes.cell, {ExtentsOf(patches), TallyQuality(work.holes, patches)}});
   }
 
   absl::Status Do(const AssembleWork& work) {
@@ -149,8 +148,7 @@ class MeshFiller {
       patch.library = library_;
       TILEMEND_RETURN_IF_ERROR(mesh_.Append(patch));
     }
-    filled_.waves->TakeAssemble();
-    return absl::OkStatus();
+    return filled_.waves->Take(TileWritten{});
   }
 
   absl::Status Do(const GroundWork&) { return NoSeams(); }

@@ -20,7 +20,7 @@ namespace tilemend {
 
 // The share of a job that is done, 0 to 1. While not all of its tasks are known, a guess that may fall.
 double ShareDone(const Job& job);
-// Of a job that runs, by its phase (scene_waves.h). Before its plan each cell is expected to be filled and assembled,
+// Of a job that runs, by its phase (wave_order.h). Before its plan each cell is expected to be filled and assembled,
 // then to be assembled, until it assembles. Tasks that are held back (kMostTasksOut) count.
 double ShareDone(std::string_view phase, int64_t cells, int64_t cells_done, int64_t tasks, int64_t tasks_done);
 

@@ -139,6 +139,13 @@ std::string MessageOf(const JobSpec& spec, const SceneReportInput& report, const
                       reuse.without_worker(), " of them without a task for a worker");
 }
 
+// What is left undone without the result of a task. Precondition: it is none of the measuring or the survey.
+LeftWork::Kind LeftBy(Stage stage) {
+  if (stage == Stage::kGround) return LeftWork::Kind::kGround;
+  if (stage == Stage::kSmoothSeam) return LeftWork::Kind::kSeam;
+  return stage == Stage::kAssemble ? LeftWork::Kind::kTile : LeftWork::Kind::kHoles;
+}
+
 // How long each step took, and what the page sees of them.
 struct Steps {
   Stopwatch watch;
@@ -147,7 +154,7 @@ struct Steps {
 
   void End(std::string_view step, const SceneWaves& waves) {
     seconds.emplace_back(step, watch.Lap());
-    if (step == "plan") sight->SetPlan(waves.plan(), waves.options().chosen);
+    if (step == "plan") sight->SetPlan(waves.plan(), waves.outcome().chosen);
   }
 };
 
@@ -321,26 +328,12 @@ class ScenePipeline : public JobPipeline {
   // Without its survey or in want of disk space there is no going on.
   absl::Status Leave(const TaskResult& result) {
     const absl::Status& error = result.output.status();
-    const std::string reason(error.message());
     const bool given_up = ErrorReason(error) == "QUARANTINED" || ErrorReason(error) == "RESULT_REFUSED";
-    if (result.stage == Stage::kAssemble && given_up) {
-      waves_.LeaveTile(result.cell, reason);
-      return absl::OkStatus();
-    }
-    if (result.stage == Stage::kSmoothSeam && (given_up || absl::IsInternal(error))) {
-      waves_.LeaveSeam(result.cell, reason);
-      return absl::OkStatus();
-    }
-    if (result.stage == Stage::kGround && (given_up || absl::IsInternal(error))) {
-      waves_.LeaveGround(result.cell, reason);
-      return absl::OkStatus();
-    }
-    const bool filling =
-        result.stage != Stage::kMeasure && result.stage != Stage::kSurvey && result.stage != Stage::kAssemble;
-    if (!filling || !(given_up || absl::IsInternal(error))) return error;
-    waves_.LeaveHoles(result.cell, reason);
-    tasks_.Forget(result.cell);
-    return absl::OkStatus();
+    if (result.stage == Stage::kMeasure || result.stage == Stage::kSurvey) return error;
+    if (!given_up && (result.stage == Stage::kAssemble || !absl::IsInternal(error))) return error;
+    const LeftWork::Kind kind = LeftBy(result.stage);
+    if (kind == LeftWork::Kind::kHoles) tasks_.Forget(result.cell);
+    return waves_.Take(LeftWork{kind, result.cell, std::string(error.message())});
   }
 
   SceneReportInput Report() const {
@@ -368,7 +361,8 @@ class ScenePipeline : public JobPipeline {
     TILEMEND_RETURN_IF_ERROR(output_->SeeAll([this] { return end_.is_cancelled(); }));
     const Scene& scene = waves_.scene();
     for (const auto& unwritten : report.outcome.unwritten) {  // what lies there is of an earlier job
-      TILEMEND_RETURN_IF_ERROR(RemoveFile(absl::StrCat(output_->path(), "/", OutputPath(waves_.tile(unwritten.cell)))));
+      TILEMEND_RETURN_IF_ERROR(
+          RemoveFile(absl::StrCat(output_->path(), "/", OutputPath(waves_.survey().tile(unwritten.cell)))));
     }
     TILEMEND_RETURN_IF_ERROR(WriteScene(scene, *output_));
     output_->Adopt(tasks_.files().Carried());

@@ -316,7 +316,7 @@ void SceneTasks::SetFiles(const SceneTile& tile, v1::AssembleInput& input) {
 
 absl::StatusOr<v1::TileRef> SceneTasks::Ref(const SceneTile& tile) const {
   v1::TileRef ref = TileRefOf(tile, waves_.scene().root);
-  for (const ClearArea& area : waves_.clearing().Areas(tile.cell)) *ref.add_clear() = ToProto(area);
+  for (const ClearArea& area : waves_.survey().clearing().Areas(tile.cell)) *ref.add_clear() = ToProto(area);
   if (const auto place = surveyed_.find(tile.cell); place != surveyed_.end()) {
     TILEMEND_ASSIGN_OR_RETURN(auto surveyed, TakeUp<v1::SurveyOutput>(*scratch_, place->second));
     ref.set_digest(std::move(*surveyed.mutable_digest()));
@@ -334,15 +334,12 @@ absl::Status SceneTasks::Take(StageResult result) {
 absl::Status SceneTasks::TakeOutput(CellId cell, v1::SurveyOutput output) {
   absl::StatusOr<SurveyedTile> tile = SurveyedTileOf(std::move(output));
   if (!tile.ok()) return UnreadableResult(cell, tile.status());
-  TILEMEND_RETURN_IF_ERROR(CheckInsideCell(tile->record, waves_.scene(), waves_.tile(cell)));
+  TILEMEND_RETURN_IF_ERROR(CheckInsideCell(tile->record, waves_.scene(), waves_.survey().tile(cell)));
   if (const auto measured = measured_.extract(cell); measured && measured.mapped() != tile->digest) {
-    return ChangedInJob(absl::StrCat(waves_.scene().root, "/", waves_.tile(cell).path));
+    return ChangedInJob(absl::StrCat(waves_.scene().root, "/", waves_.survey().tile(cell).path));
   }
-  if (const absl::Status taken = waves_.TakeCleared(cell, tile->cleared); !taken.ok()) {
-    return UnreadableResult(cell, taken);
-  }
-  if (spec_.textures() != "off") files_.Take(cell, tile->files, waves_.IsChosen(cell));
-  if (waves_.IsChosen(cell)) AddLevels(tile->levels, levels_);
+  if (spec_.textures() != "off") files_.Take(cell, tile->files, waves_.options().IsChosen(cell));
+  if (waves_.options().IsChosen(cell)) AddLevels(tile->levels, levels_);
   v1::SurveyOutput surveyed;
   surveyed.set_digest(std::move(tile->digest));
   if (tile->stamp.size() <= kMostStampBytes) surveyed.set_stamp(std::move(tile->stamp));
@@ -354,34 +351,35 @@ absl::Status SceneTasks::TakeOutput(CellId cell, v1::SurveyOutput output) {
     if (known != read.digest) return ChangedInJob(absl::StrCat(waves_.scene().root, "/", read.path));
   }
   TILEMEND_ASSIGN_OR_RETURN(StoredRecord stored, scratch_->Keep(tile->record));
-  waves_.TakeSurvey(cell, std::move(stored));
-  return absl::OkStatus();
+  const absl::Status taken = waves_.Take(TileSurvey{cell, std::move(stored), std::move(tile->cleared)});
+  return taken.ok() ? taken : UnreadableResult(cell, taken);
 }
 
 absl::Status SceneTasks::TakeOutput(CellId cell, const v1::MeasureOutput& output) {
-  std::vector<HeightTally> tallies;
+  TileLevels levels{cell, {}};
   for (const v1::HeightTally& tally : output.tallies()) {
-    TILEMEND_ASSIGN_OR_RETURN(tallies.emplace_back(), FromProto(tally));
+    TILEMEND_ASSIGN_OR_RETURN(levels.tallies.emplace_back(), FromProto(tally));
   }
   measured_[cell] = output.digest();
-  return waves_.TakeTallies(cell, tallies);
+  return waves_.Take(std::move(levels));
 }
 
 absl::Status SceneTasks::TakeOutput(CellId cell, const v1::GroundOutput& output) {
-  return waves_.TakeGround(
-      cell, {{output.on_object().begin(), output.on_object().end()}, {output.ground().begin(), output.ground().end()}});
+  return waves_.Take(CellGround{
+      cell,
+      {{output.on_object().begin(), output.on_object().end()}, {output.ground().begin(), output.ground().end()}}});
 }
 
 absl::Status SceneTasks::TakeOutput(CellId cell, const v1::SampleLayerOutput& output) {
-  TILEMEND_ASSIGN_OR_RETURN(const auto samples, SamplesOf(output, cell, layers_[cell]));
-  return waves_.TakeLayer(samples);
+  TILEMEND_ASSIGN_OR_RETURN(auto samples, SamplesOf(output, cell, layers_[cell]));
+  return waves_.Take(LayerSamples{std::move(samples)});
 }
 
 absl::Status SceneTasks::TakeOutput(CellId cell, const v1::SampleClusterOutput& output) {
   const auto asked = clusters_.extract({cell, output.cluster()});
   if (asked.empty()) return absl::InvalidArgumentError("a cluster that was not asked for");
-  TILEMEND_ASSIGN_OR_RETURN(const ClusterSamples samples, SamplesOf(output, asked.mapped()));
-  return waves_.TakeCluster(samples);
+  TILEMEND_ASSIGN_OR_RETURN(ClusterSamples samples, SamplesOf(output, asked.mapped()));
+  return waves_.Take(std::move(samples));
 }
 
 absl::Status SceneTasks::TakeOutput(CellId cell, v1::FillOutput output) {
@@ -397,7 +395,7 @@ absl::Status SceneTasks::TakeOutput(CellId cell, v1::FillOutput output) {
   output.clear_quality();
   output.clear_samples();
   TILEMEND_ASSIGN_OR_RETURN(patches_[cell], PutAside(*scratch_, output));
-  return waves_.TakeFill(cell, patches);
+  return waves_.Take(CellFill{cell, std::move(patches)});
 }
 
 absl::Status SceneTasks::TakeOutput(CellId cell, const v1::SmoothSeamOutput& output) {
@@ -409,16 +407,16 @@ absl::Status SceneTasks::TakeOutput(CellId cell, const v1::SmoothSeamOutput& out
     ScratchFile::Place& place = smoothed_[side][{seam.cells[0], seam.cells[1]}];
     TILEMEND_ASSIGN_OR_RETURN(place, PutAside(*scratch_, *points));
   }
-  return waves_.TakeSmooth(seam);
+  return waves_.Take(std::move(seam));
 }
 
 absl::Status SceneTasks::ComparePatches(CellId cell, const v1::RimVertices& rims, const v1::FillOutput& output,
                                         std::span<const std::vector<SmoothedPoint>> moves) {
-  if (!waves_.CompareFills(cell)) return absl::OkStatus();
+  if (!waves_.fill_gaps().Wants(cell)) return absl::OkStatus();
   TILEMEND_ASSIGN_OR_RETURN(const std::vector<RimVertex> vertices, FromProto(rims));
   TILEMEND_ASSIGN_OR_RETURN(std::vector<HolePatch> patches, FromProto(output, vertices.size()));
   MoveSmoothedPoints(moves, waves_.plan().lattice_step, patches);
-  waves_.TakePatches(cell, vertices, patches);
+  waves_.fill_gaps().Take(cell, vertices, patches);
   return absl::OkStatus();
 }
 
@@ -426,10 +424,10 @@ absl::Status SceneTasks::TakeOutput(CellId cell, const v1::AssembleOutput& outpu
   for (const auto* of : {&output.warnings(), &output.texture_warnings()}) files_.Warn(cell, {of->begin(), of->end()});
   TILEMEND_ASSIGN_OR_RETURN(const auto levels, FromProto(output.levels()));
   AddLevels(levels, levels_);
-  waves_.TakeAssemble();
+  TILEMEND_RETURN_IF_ERROR(waves_.Take(TileWritten{}));
   for (const v1::WrittenFile& file : output.files()) {
     const AttemptFile placed = {file.attempt(), file.path(), file.bytes(), file.digest()};
-    if (!waves_.tile(cell).delivered.empty()) output_->Adopt({file.path()});  // its name was checked
+    if (!waves_.survey().tile(cell).delivered.empty()) output_->Adopt({file.path()});  // its name was checked
     TILEMEND_RETURN_IF_ERROR(output.unchanged() ? output_->Keep(placed) : output_->Place(placed));
   }
   return absl::OkStatus();

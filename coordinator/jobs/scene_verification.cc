@@ -23,7 +23,7 @@ void SceneVerification::AddResult(const TaskResult& result) {
 
 void SceneVerification::ReadOutput(const StageOutput& output, const SceneWaves& waves, Report& report) {
   if (const auto* const survey = std::get_if<v1::SurveyOutput>(&output)) {
-    report.tile = TileRefOf(waves.tile(report.cell), waves.scene().root);
+    report.tile = TileRefOf(waves.survey().tile(report.cell), waves.scene().root);
     report.tile.set_digest(survey->digest());
     report.stamp = survey->stamp();
   }

@@ -4,31 +4,18 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "absl/strings/str_join.h"
-#include "common/util/error_info.h"
 #include "common/util/status_macros.h"
+#include "coordinator/state/lease_events.h"
 #include "coordinator/state/verdicts.h"
 
 namespace tilemend {
 namespace {
 
-absl::Status JobNotFound(const std::string& job) {
-  return WithErrorInfo(absl::NotFoundError(absl::StrCat("jobs/", job, ": no such job")),
-                       {"JOB_NOT_FOUND", {{"job", job}}});
-}
-
-absl::Status JobOver(const Job& job) {
-  const std::string state(JobStateName(job.state));
-  return WithErrorInfo(absl::FailedPreconditionError(absl::StrCat("jobs/", job.id, ": the job is over (", state, ")")),
-                       {"JOB_OVER", {{"job", job.id}, {"state", state}}});
-}
-
 // A worker that counts as lost has come back: it was silent for long, and no task ended it. Cost O(tasks).
-Effects LossesTakenBack(const std::string& worker, const std::map<int64_t, std::string>& running,
-                        std::map<std::string, Job>& jobs) {
+Effects LossesTakenBack(const std::string& worker, JobTable& jobs) {
   Effects effects;
-  for (const auto& [number, id] : running) {
-    for (auto& [task_id, task] : jobs.at(id).tasks) {
+  for (const auto& [number, id] : jobs.running()) {
+    for (auto& [task_id, task] : jobs.Find(id)->tasks) {
       if (std::erase(task.lost_workers, worker) == 0) continue;
       task.returned_by.erase(worker);
       effects.relieved.push_back({{id, task_id}, task.cell, task.stage, task.input, task.lost_workers});
@@ -37,126 +24,56 @@ Effects LossesTakenBack(const std::string& worker, const std::map<int64_t, std::
   return effects;
 }
 
-}  // namespace
+// Of a job when it gets known here: above all that an earlier epoch can have reached.
+uint64_t FirstVersion(const StateTables& state) { return (static_cast<uint64_t>(state.options.epoch) << 32) + 1; }
 
-std::string_view JobStateName(JobState state) {
-  switch (state) {
-    case JobState::kRunning:
-      return "running";
-    case JobState::kDone:
-      return "done";
-    case JobState::kPartial:
-      return "partial";
-    case JobState::kFailed:
-      return "failed";
-    case JobState::kCancelled:
-      return "cancelled";
-  }
-  return "unknown";
-}
-
-CoordinatorState::CoordinatorState(const StateOptions& options) : options_(options) {}
-
-absl::StatusOr<Effects> CoordinatorState::Apply(const Event& event) {
-  absl::StatusOr<Effects> effects = std::visit([this](const auto& e) { return On(e); }, event);
-  if (!effects.ok()) return effects;
-  RevokeOfConvicted(running_, jobs_, *effects);
-  return effects;
-}
-
-const Job* CoordinatorState::FindJob(const std::string& job) const {
-  const auto it = jobs_.find(job);
-  return it == jobs_.end() ? nullptr : &it->second;
-}
-
-const Job* CoordinatorState::FindRequest(const std::string& request_id) const {
-  const auto it = requests_.find(request_id);
-  return it == requests_.end() ? nullptr : FindJob(it->second);
-}
-
-const Task* CoordinatorState::FindTask(const TaskKey& key) const {
-  const Job* job = FindJob(key.job);
-  if (job == nullptr) return nullptr;
-  const auto it = job->tasks.find(key.task);
-  return it == job->tasks.end() ? nullptr : &it->second;
-}
-
-const WorkerRecord* CoordinatorState::FindWorker(const std::string& worker) const {
-  const auto it = workers_.find(worker);
-  return it == workers_.end() ? nullptr : &it->second;
-}
-
-absl::StatusOr<Job*> CoordinatorState::RunningJob(const std::string& id) {
-  const auto it = jobs_.find(id);
-  if (it == jobs_.end()) return JobNotFound(id);
-  if (IsOver(it->second.state)) return JobOver(it->second);
-  return &it->second;
-}
-
-void CoordinatorState::DropTasks(Job& job, Effects& effects) {
-  for (auto& [id, task] : job.tasks) {
-    EndLeases(job, task);
-  }
-  ForgetRefusals(job, effects);
-  job.tasks.clear();
-  std::vector<uint64_t>().swap(job.settled_by);
-  job.pending = {};
-  job.given = {};
-}
-
-void CoordinatorState::EndJob(Job& job, JobState state, absl::Time time, Effects& effects) {
-  DropTasks(job, effects);
+void EndJob(Job& job, JobState end, absl::Time time, StateTables& state, Effects& effects) {
+  DropTasks(job, state, effects);
   job.times.clear();
-  JudgeDisproved(job, state, effects);
+  JudgeDisproved(job, end, effects);
   job.counts.pending = 0;
   job.counts.leased = 0;
-  job.state = state;
   job.paused = false;
   job.ended = time;
   ++job.version;
-  running_.erase(job.number);
+  state.jobs.End(job, end);
 }
 
-absl::StatusOr<Effects> CoordinatorState::On(const JobCreated& event) {
+absl::StatusOr<Effects> On(const JobCreated& event, StateTables& state) {
   if (event.job.empty()) return absl::InvalidArgumentError("a job needs an id");
-  if (jobs_.contains(event.job)) return absl::AlreadyExistsError(absl::StrCat("jobs/", event.job, ": there is one"));
-  if (!event.request_id.empty() && requests_.contains(event.request_id)) {
+  if (state.jobs.Find(event.job) != nullptr) {
+    return absl::AlreadyExistsError(absl::StrCat("jobs/", event.job, ": there is one"));
+  }
+  if (!event.request_id.empty() && state.jobs.FindRequest(event.request_id) != nullptr) {
     return absl::AlreadyExistsError(absl::StrCat("request_id ", event.request_id, ": used before"));
   }
   Job job;
   job.id = event.job;
   job.request_id = event.request_id;
-  job.number = last_number_ + 1;
+  job.number = state.jobs.last_number() + 1;
+  job.version = FirstVersion(state);
   job.created = event.time;
   job.priority = event.priority;
-  Insert(std::move(job));
+  state.jobs.Insert(std::move(job));
   return Effects();
 }
 
-absl::StatusOr<Effects> CoordinatorState::On(const JobRestored& event) {
-  if (event.job.id.empty() || jobs_.contains(event.job.id)) {
+absl::StatusOr<Effects> On(const JobRestored& event, StateTables& state) {
+  if (event.job.id.empty() || state.jobs.Find(event.job.id) != nullptr) {
     return absl::InvalidArgumentError(absl::StrCat("jobs/", event.job.id, ": cannot be restored"));
   }
-  if (event.job.number <= last_number_) {
+  if (event.job.number <= state.jobs.last_number()) {
     return absl::InvalidArgumentError(
         absl::StrCat("jobs/", event.job.id, ": number ", event.job.number, " is not new"));
   }
   Job job = event.job;
-  Insert(std::move(job));
+  job.version = FirstVersion(state);
+  state.jobs.Insert(std::move(job));
   return Effects();
 }
 
-void CoordinatorState::Insert(Job job) {
-  job.version = FirstVersion();
-  last_number_ = job.number;
-  job_numbers_[job.number] = job.id;
-  if (!IsOver(job.state)) running_[job.number] = job.id;
-  if (!job.request_id.empty()) requests_[job.request_id] = job.id;
-  jobs_[job.id] = std::move(job);
-}
-
-absl::StatusOr<Effects> CoordinatorState::On(const TasksAdded& event) {
-  TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.job));
+absl::StatusOr<Effects> On(const TasksAdded& event, StateTables& state) {
+  TILEMEND_ASSIGN_OR_RETURN(Job * job, state.jobs.FindRunning(event.job));
   Effects effects;
   for (const TaskSpec& spec : event.tasks) {
     const int64_t id = ++job->counts.added;
@@ -180,12 +97,12 @@ absl::StatusOr<Effects> CoordinatorState::On(const TasksAdded& event) {
   return effects;
 }
 
-absl::StatusOr<Effects> CoordinatorState::On(const WorkerSeen& event) {
+absl::StatusOr<Effects> On(const WorkerSeen& event, StateTables& state) {
   if (event.worker.empty() || event.threads < 0 || event.prefetch < 0) {
     return absl::InvalidArgumentError("a worker needs an id and numbers of threads and tasks that are not negative");
   }
-  Effects effects = workers_.contains(event.worker) ? Effects() : LossesTakenBack(event.worker, running_, jobs_);
-  WorkerRecord& worker = workers_[event.worker];
+  Effects effects = state.workers.contains(event.worker) ? Effects() : LossesTakenBack(event.worker, state.jobs);
+  WorkerRecord& worker = state.workers[event.worker];
   worker.id = event.worker;
   worker.threads = event.threads;
   worker.prefetch = event.prefetch;
@@ -194,16 +111,16 @@ absl::StatusOr<Effects> CoordinatorState::On(const WorkerSeen& event) {
   return effects;
 }
 
-absl::StatusOr<Effects> CoordinatorState::On(const JobProgressed& event) {
-  TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.job));
+absl::StatusOr<Effects> On(const JobProgressed& event, StateTables& state) {
+  TILEMEND_ASSIGN_OR_RETURN(Job * job, state.jobs.FindRunning(event.job));
   if (job->progress == event.progress) return Effects();
   job->progress = event.progress;
   ++job->version;
   return Effects();
 }
 
-absl::StatusOr<Effects> CoordinatorState::On(const JobWarned& event) {
-  TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.job));
+absl::StatusOr<Effects> On(const JobWarned& event, StateTables& state) {
+  TILEMEND_ASSIGN_OR_RETURN(Job * job, state.jobs.FindRunning(event.job));
   const bool known = std::find(job->warnings.begin(), job->warnings.end(), event.warning) != job->warnings.end();
   if (known || job->warnings.size() >= kMostWarnings) return Effects();
   job->warnings.push_back(event.warning);
@@ -211,8 +128,8 @@ absl::StatusOr<Effects> CoordinatorState::On(const JobWarned& event) {
   return Effects();
 }
 
-absl::StatusOr<Effects> CoordinatorState::On(const JobSteered& event) {
-  TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.job));
+absl::StatusOr<Effects> On(const JobSteered& event, StateTables& state) {
+  TILEMEND_ASSIGN_OR_RETURN(Job * job, state.jobs.FindRunning(event.job));
   const int32_t priority = event.priority.value_or(job->priority);
   const bool paused = event.paused.value_or(job->paused);
   if (priority == job->priority && paused == job->paused) return Effects();
@@ -222,47 +139,55 @@ absl::StatusOr<Effects> CoordinatorState::On(const JobSteered& event) {
   return Effects();
 }
 
-absl::StatusOr<Effects> CoordinatorState::On(const JobCancelled& event) {
-  TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.job));
+absl::StatusOr<Effects> On(const JobCancelled& event, StateTables& state) {
+  TILEMEND_ASSIGN_OR_RETURN(Job * job, state.jobs.FindRunning(event.job));
   Effects effects;
-  EndJob(*job, JobState::kCancelled, event.time, effects);
+  EndJob(*job, JobState::kCancelled, event.time, state, effects);
   return effects;
 }
 
-absl::StatusOr<Effects> CoordinatorState::On(const WorkerDisproved& event) {
-  TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.job));
-  return Disprove(options_.max_refusals, event, *job);
+absl::StatusOr<Effects> On(const WorkerDisproved& event, StateTables& state) {
+  TILEMEND_ASSIGN_OR_RETURN(Job * job, state.jobs.FindRunning(event.job));
+  return Disprove(state.options.max_refusals, event, *job);
 }
 
-absl::StatusOr<Effects> CoordinatorState::On(const JobRedone& event) {
-  TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.job));
+absl::StatusOr<Effects> On(const JobRedone& event, StateTables& state) {
+  TILEMEND_ASSIGN_OR_RETURN(Job * job, state.jobs.FindRunning(event.job));
   Effects effects;
-  DropTasks(*job, effects);
+  DropTasks(*job, state, effects);
   job->counts = job->counts.WithoutTasks();
   ++job->version;
   return effects;
 }
 
-absl::StatusOr<Effects> CoordinatorState::On(const JobFinished& event) {
+absl::StatusOr<Effects> On(const JobFinished& event, StateTables& state) {
   if (event.state == JobState::kRunning || event.state == JobState::kCancelled) {
     return absl::InvalidArgumentError(
         absl::StrCat("jobs/", event.job, ": cannot finish as ", std::string(JobStateName(event.state))));
   }
-  TILEMEND_ASSIGN_OR_RETURN(Job * job, RunningJob(event.job));
+  TILEMEND_ASSIGN_OR_RETURN(Job * job, state.jobs.FindRunning(event.job));
   const bool partial = event.state == JobState::kDone && job->counts.quarantined > 0;
   Effects effects;
-  EndJob(*job, partial ? JobState::kPartial : event.state, event.time, effects);
+  EndJob(*job, partial ? JobState::kPartial : event.state, event.time, state, effects);
   return effects;
 }
 
-absl::StatusOr<Effects> CoordinatorState::On(const JobForgotten& event) {
-  const auto job = jobs_.find(event.job);
-  if (job == jobs_.end()) return JobNotFound(event.job);
-  if (!IsOver(job->second.state)) return absl::InvalidArgumentError(absl::StrCat("jobs/", event.job, ": not over"));
-  job_numbers_.erase(job->second.number);
-  if (!job->second.request_id.empty()) requests_.erase(job->second.request_id);
-  jobs_.erase(job);
+absl::StatusOr<Effects> On(const JobForgotten& event, StateTables& state) {
+  if (absl::Status status = state.jobs.Forget(event.job); !status.ok()) return status;
   return Effects();
+}
+
+}  // namespace
+
+absl::StatusOr<Effects> CoordinatorState::Apply(const Event& event) {
+  absl::StatusOr<Effects> effects = std::visit([this](const auto& e) { return On(e, tables_); }, event);
+  if (effects.ok()) RevokeOfConvicted(tables_.jobs, *effects);
+  return effects;
+}
+
+const WorkerRecord* CoordinatorState::FindWorker(const std::string& worker) const {
+  const auto it = workers().find(worker);
+  return it == workers().end() ? nullptr : &it->second;
 }
 
 }  // namespace tilemend

@@ -75,11 +75,10 @@ void JudgeDisproved(Job& job, JobState state, Effects& effects) {
   }
 }
 
-void RevokeOfConvicted(const std::map<int64_t, std::string>& running, std::map<std::string, Job>& jobs,
-                       Effects& effects) {
+void RevokeOfConvicted(JobTable& jobs, Effects& effects) {
   for (const Blamed& blamed : effects.convicted) {
-    for (const auto& [number, id] : running) {
-      std::vector<int64_t> tasks = jobs.at(id).given.Revoke(blamed.worker);
+    for (const auto& [number, id] : jobs.running()) {
+      std::vector<int64_t> tasks = jobs.Find(id)->given.Revoke(blamed.worker);
       if (!tasks.empty()) effects.revoked.push_back({id, blamed.worker, std::move(tasks)});
     }
   }

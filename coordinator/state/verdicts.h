@@ -3,12 +3,11 @@
 #define TILEMEND_COORDINATOR_STATE_VERDICTS_H_
 
 #include <cstdint>
-#include <map>
-#include <string>
 
 #include "absl/status/statusor.h"
 #include "coordinator/state/event.h"
 #include "coordinator/state/job.h"
+#include "coordinator/state/job_table.h"
 
 namespace tilemend {
 
@@ -27,8 +26,7 @@ absl::StatusOr<Effects> Disprove(int32_t max_refusals, const WorkerDisproved& ev
 void JudgeDisproved(Job& job, JobState state, Effects& effects);
 
 // Revokes all results of the convicted workers in jobs that run.
-void RevokeOfConvicted(const std::map<int64_t, std::string>& running, std::map<std::string, Job>& jobs,
-                       Effects& effects);
+void RevokeOfConvicted(JobTable& jobs, Effects& effects);
 
 }  // namespace tilemend
 

@@ -1,5 +1,10 @@
 #include "coordinator/waves/pair_seams.h"
 
+#include <algorithm>
+#include <iterator>
+
+#include "coordinator/waves/sample_checks.h"
+
 namespace tilemend {
 
 std::map<CellPair, PairSeam> FindPairSeams(const Plan& plan, std::span<const int32_t> holes,
@@ -32,6 +37,47 @@ std::map<CellPair, PairSeam> FindPairSeams(const Plan& plan, std::span<const int
     first = cells.first;
   }
   return seams;
+}
+
+std::vector<CellId> PairSmoothing::Begin(const PlannedScene& scene, const std::map<int32_t, std::string>& failures,
+                                         const WaveOptions& options) {
+  std::vector<CellId> cells_of;
+  std::vector<int32_t> filled;
+  for (const auto& [cell, holes] : scene.holes_of) {
+    std::copy_if(holes.begin(), holes.end(), std::back_inserter(filled),
+                 [&](int32_t h) { return !failures.contains(h); });
+  }
+  for (auto& [cells, seam] : FindPairSeams(scene.plan, filled, scene.heights)) {
+    if (!options.TouchesChosen(cells.first, cells.second)) continue;
+    cells_of.push_back(cells.first);
+    seams_.emplace_back(cells, std::move(seam));
+  }
+  return cells_of;
+}
+
+SmoothWork PairSmoothing::WorkOf(int32_t seam, const PlannedScene& scene) const {
+  const auto& [cells, pair] = seams_[seam];
+  SmoothWork work{{cells.first, cells.second}, pair.number};
+  for (int side = 0; side < 2; ++side) {
+    work.sides[side] = HolesAsFilled(scene, work.cells[side]);
+    const std::set<int32_t>& holes = side == 0 ? pair.holes_of_first : pair.holes_of_second;
+    work.holes[side].assign(holes.begin(), holes.end());
+  }
+  for (const int32_t v : pair.vertices) {
+    work.vertices.push_back(v);
+    work.heights.push_back(scene.heights.height.at(v));
+  }
+  return work;
+}
+
+absl::Status PairSmoothing::Take(const SmoothedSeam& result, const Plan& plan) {
+  if (result.heights.size() != result.vertices.size()) return absl::InvalidArgumentError("columns of unequal length");
+  for (size_t i = 0; i < result.vertices.size(); ++i) {
+    absl::Status status = CheckSample(plan, result.vertices[i], result.heights[i]);
+    if (!status.ok()) return status;
+    smoothed_[result.vertices[i]][{result.cells[0], result.cells[1]}] = result.heights[i];
+  }
+  return absl::OkStatus();
 }
 
 }  // namespace tilemend

@@ -9,10 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "absl/status/status.h"
 #include "common/mesh/quality_tally.h"
 #include "common/records/cell_holes.h"
 #include "coordinator/plan/types/plan_types.h"
 #include "coordinator/waves/clearing.h"
+#include "coordinator/waves/scene_work.h"
 
 namespace tilemend {
 
@@ -28,6 +30,7 @@ struct PatchSize {
 struct SceneOutcome {
   std::map<int32_t, PatchSize> sizes;                // of the holes that were filled
   int64_t triangles = 0;                             // of `sizes`
+  std::set<CellId> filled;                           // cells with a patch
   std::map<int32_t, std::string> failures;           // of the holes that were tried in vain: why
   std::vector<LeftOpen> unwritten;                   // tiles that could not be written
   std::vector<LeftOpen> unsmoothed;                  // seams of `wang` that could not be smoothed
@@ -37,6 +40,11 @@ struct SceneOutcome {
   std::vector<ClearedArea> cleared;                  // one for each area that asks for surface to be taken out
   // Of borders where fills overlap (BorderAudit::a and b): how far apart they are there.
   std::map<std::pair<CellId, CellId>, SurfaceGap> fill_gaps;
+
+  // The hole stays open, whatever was known of it before.
+  void Fail(int32_t hole, const std::string& reason);
+  // Enters the patches of a cell. kInvalidArgument for a hole that is not in the plan.
+  absl::Status Add(const CellFill& result, const Plan& plan);
 };
 
 }  // namespace tilemend

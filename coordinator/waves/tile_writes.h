@@ -17,12 +17,14 @@ class TileWrites {
  public:
   // False if the cell was queued or dismissed before.
   bool Queue(CellId cell);
-  // It has nothing to write. False as above.
-  bool Dismiss(CellId cell) { return known_.insert(cell).second; }
+  // It has nothing to write, unless it was queued or dismissed before.
+  void Dismiss(CellId cell) { cells_done_ += known_.insert(cell).second ? 1 : 0; }
   // `others` pieces of other work are out, and if `others_wait` there are more of them.
   std::optional<CellId> Next(int64_t others, bool others_wait);
-  // The result of one that was given out is there.
-  void Settle() { --out_; }
+  // The result of one that was given out is there, and whether it was written.
+  void Settle(bool written) { --out_, cells_done_ += written ? 1 : 0; }
+  // Cells that are written, or have nothing to write.
+  int64_t cells_done() const { return cells_done_; }
   // Whether there is none to give out or to wait for.
   bool is_over() const { return ready_.empty() && out_ == 0; }
 
@@ -30,6 +32,7 @@ class TileWrites {
   std::set<CellId> known_;
   std::deque<CellId> ready_;
   int64_t out_ = 0;
+  int64_t cells_done_ = 0;
 };
 
 }  // namespace tilemend

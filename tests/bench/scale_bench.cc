@@ -126,8 +126,7 @@ class Workers {
                            std::floor(command_.holes * static_cast<double>(number));
     TILEMEND_ASSIGN_OR_RETURN(StoredRecord record,
                               scratch_.Keep(RecordOf(work.tile->cell, command_.border, with_hole)));
-    waves_.TakeSurvey(work.tile->cell, std::move(record));
-    return absl::OkStatus();
+    return waves_.Take(TileSurvey{work.tile->cell, std::move(record)});
   }
   absl::Status Answer(const FillWork& work) {
     CellPatches patches;
@@ -136,12 +135,9 @@ class Workers {
       patch.hole = hole.id;
       patch.triangles = kHoleEdges;
     }
-    return waves_.TakeFill(work.holes.cell, patches);
+    return waves_.Take(CellFill{work.holes.cell, std::move(patches)});
   }
-  absl::Status Answer(const AssembleWork&) {
-    waves_.TakeAssemble();
-    return absl::OkStatus();
-  }
+  absl::Status Answer(const AssembleWork&) { return waves_.Take(TileWritten{}); }
   template <class Other>
   absl::Status Answer(const Other&) {
     return absl::InternalError("the scene has closed holes only");

@@ -26,7 +26,8 @@ class ClusterSurfaceTest : public testing::Test {
     SceneWaves waves(scene.AsScene(), options);
     while (std::optional<SceneWork> work = waves.Next()) {
       if (const auto* survey = std::get_if<SurveyWork>(&*work)) {
-        waves.TakeSurvey(survey->tile->cell, scene.records.at(survey->tile->cell));
+        const CellId cell = survey->tile->cell;
+        EXPECT_TRUE(waves.Take(SurveyInMemory(cell, scene.records.at(cell))).ok());
       } else if (auto* cluster = std::get_if<ClusterWork>(&*work)) {
         cluster_ = std::move(cluster->holes);
         ++clusters_;

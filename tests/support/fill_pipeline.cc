@@ -33,8 +33,7 @@ class LocalStages {
   absl::Status operator()(const MeasureWork&) { return absl::InternalError("records are no meshes to measure"); }
 
   absl::Status operator()(const SurveyWork& work) {
-    waves_.TakeSurvey(work.tile->cell, scene_.records.at(work.tile->cell));
-    return absl::OkStatus();
+    return waves_.Take(SurveyInMemory(work.tile->cell, scene_.records.at(work.tile->cell)));
   }
 
   absl::Status operator()(const GroundWork& work) {
@@ -42,7 +41,7 @@ class LocalStages {
     for (const BoundaryVertex& v : scene_.records.at(work.cell).vertices) vertices.push_back(v.position);
     std::vector<GroundRaster> rasters;
     for (const CellId cell : work.around) rasters.push_back(scene_.records.at(cell).lowest);
-    return waves_.TakeGround(work.cell, GroundAtRim(vertices, rasters));
+    return waves_.Take(CellGround{work.cell, GroundAtRim(vertices, rasters)});
   }
 
   absl::Status operator()(const ClusterWork& work) {
@@ -52,7 +51,7 @@ class LocalStages {
       for (const SurfaceSample& s : surface->samples)
         samples.samples.push_back({s.seam_vertex, s.height, s.laplacian, s.slope});
     }
-    return waves_.TakeCluster(samples);
+    return waves_.Take(std::move(samples));
   }
 
   absl::Status operator()(const LayerWork& work) {
@@ -60,7 +59,7 @@ class LocalStages {
     for (const HeightSample& s : SampleHeights(work.holes)) {
       samples.push_back({work.holes.cell, s.seam_vertex, s.height});
     }
-    return waves_.TakeLayer(samples);
+    return waves_.Take(LayerSamples{std::move(samples)});
   }
 
   absl::Status operator()(const FillWork& given) {
@@ -85,7 +84,7 @@ class LocalStages {
     }
     vertices_[work.holes.cell] = work.holes.vertices;
     patches_[work.holes.cell] = patches;
-    return waves_.TakeFill(work.holes.cell, result);
+    return waves_.Take(CellFill{work.holes.cell, std::move(result)});
   }
 
   absl::Status operator()(const SmoothWork& work) {
@@ -97,7 +96,7 @@ class LocalStages {
                                           {wang.seam_smoothing, wang.seam_buffer, work.sides[0].lattice_step});
     moves_[work.sides[0].cell].push_back(std::move(smoothed.a));
     moves_[work.sides[1].cell].push_back(std::move(smoothed.b));
-    return waves_.TakeSmooth({work.cells, work.vertices, std::move(smoothed.heights)});
+    return waves_.Take(SmoothedSeam{work.cells, work.vertices, std::move(smoothed.heights)});
   }
 
   absl::Status operator()(const AssembleWork& work) {
@@ -112,8 +111,7 @@ class LocalStages {
     TriMesh& tile = filled_.tiles[cell];
     if (work.tile->path.empty()) tile = TriMesh{};
     Append(patch, tile);
-    waves_.TakeAssemble();
-    return absl::OkStatus();
+    return waves_.Take(TileWritten{});
   }
 
  private:

@@ -59,7 +59,7 @@ TEST(EarlyWritesTest, WritesTilesWithoutHolesWhileOthersAreFilled) {
   DoAll(works, stages);
   const std::vector<SceneWork> fills = AllNow(waves);
   ASSERT_THAT(NamesOf(fills), AllOf(SizeIs(3), Each(StartsWith("fill "))));
-  waves.LeaveHoles({0, 0}, "it broke");
+  EXPECT_TRUE(waves.Take(LeftWork{LeftWork::Kind::kHoles, {0, 0}, "it broke"}).ok());
   stages.Do(fills[1]);
   stages.Do(fills[2]);
   const std::vector<SceneWork> rest = AllNow(waves);

@@ -59,12 +59,14 @@ class Stages {
   void Do(const SceneWork& work) { std::visit(*this, work); }
 
   void operator()(const MeasureWork& w) {
-    EXPECT_TRUE(waves_.TakeTallies(w.tile->cell, std::vector<HeightTally>(w.polygons.size())).ok());
+    EXPECT_TRUE(waves_.Take(TileLevels{w.tile->cell, std::vector<HeightTally>(w.polygons.size())}).ok());
   }
-  void operator()(const SurveyWork& w) { waves_.TakeSurvey(w.tile->cell, scene_.records.at(w.tile->cell)); }
+  void operator()(const SurveyWork& w) {
+    EXPECT_TRUE(waves_.Take(SurveyInMemory(w.tile->cell, scene_.records.at(w.tile->cell))).ok());
+  }
   void operator()(const GroundWork& w) {
     const size_t vertices = scene_.records.at(w.cell).vertices.size();
-    EXPECT_TRUE(waves_.TakeGround(w.cell, {std::vector<bool>(vertices), std::vector<float>(vertices)}).ok());
+    EXPECT_TRUE(waves_.Take(CellGround{w.cell, {std::vector<bool>(vertices), std::vector<float>(vertices)}}).ok());
   }
   void operator()(const ClusterWork& w) {
     ClusterSamples result{w.cluster, {}, {}};
@@ -72,7 +74,7 @@ class Stages {
       if (cluster_has_surface && v.seam_vertex >= 0)
         result.samples.push_back({v.seam_vertex, 1.0 * v.seam_vertex, 0.5});
     }
-    EXPECT_TRUE(waves_.TakeCluster(result).ok());
+    EXPECT_TRUE(waves_.Take(result).ok());
   }
   void operator()(const LayerWork& w) {
     std::vector<SeamSample> samples;
@@ -80,7 +82,7 @@ class Stages {
       if (!v.height_known) samples.push_back({w.holes.cell, v.seam_vertex, 1.0 * v.seam_vertex});
     }
     EXPECT_THAT(samples, testing::Not(testing::IsEmpty())) << "a layer without an open height";
-    EXPECT_TRUE(waves_.TakeLayer(samples).ok());
+    EXPECT_TRUE(waves_.Take(LayerSamples{samples}).ok());
   }
   void operator()(const FillWork& w) {
     CellPatches result;
@@ -91,14 +93,14 @@ class Stages {
       EXPECT_TRUE(v.height_known || w.sampled) << "filled before its seams are settled";
     }
     for (const CellHole& hole : w.holes.holes) result.patches.push_back({hole.id, "", 1, 2, {}});
-    EXPECT_TRUE(waves_.TakeFill(w.holes.cell, result).ok());
+    EXPECT_TRUE(waves_.Take(CellFill{w.holes.cell, result}).ok());
   }
   void operator()(const SmoothWork& w) {
     std::vector<double> heights = w.heights;
     for (double& height : heights) height += 100;
-    EXPECT_TRUE(waves_.TakeSmooth({w.cells, w.vertices, heights}).ok());
+    EXPECT_TRUE(waves_.Take(SmoothedSeam{w.cells, w.vertices, heights}).ok());
   }
-  void operator()(const AssembleWork&) { waves_.TakeAssemble(); }
+  void operator()(const AssembleWork&) { EXPECT_TRUE(waves_.Take(TileWritten{}).ok()); }
 
  private:
   SceneWaves& waves_;

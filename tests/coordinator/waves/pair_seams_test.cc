@@ -82,5 +82,40 @@ TEST_F(PairSeamsTest, FindsNoneWhereAHoleIsLeft) {
   EXPECT_THAT(FindPairSeams(plan_, std::vector<int32_t>{0}, heights_), IsEmpty());
 }
 
+class PairSmoothingTest : public PairSeamsTest {
+ protected:
+  PairSmoothingTest() {
+    scene_.plan = plan_;
+    scene_.heights = heights_;
+    scene_.holes_of = {{{1, 1}, {0}}, {{1, 2}, {1}}};
+    options_.surface = Surface::kWang;
+  }
+
+  const SceneSurvey survey_{Scene(), {}};
+  PlannedScene scene_{survey_};
+  WaveOptions options_;
+  PairSmoothing smoothing_;
+};
+
+TEST_F(PairSmoothingTest, BeginsWithTheSeamsBetweenFilledHoles) {
+  EXPECT_THAT(smoothing_.Begin(scene_, {}, options_), ElementsAre(CellId{1, 1}));
+}
+
+TEST_F(PairSmoothingTest, LeavesSeamsOfAHoleThatFailed) {
+  EXPECT_THAT(smoothing_.Begin(scene_, {{1, "no way"}}, options_), IsEmpty());
+}
+
+TEST_F(PairSmoothingTest, LeavesSeamsFarFromChosenCells) {
+  options_.chosen = {{5, 5}};
+  EXPECT_THAT(smoothing_.Begin(scene_, {}, options_), IsEmpty());
+}
+
+TEST_F(PairSmoothingTest, RefusesHeightsOfOtherVertices) {
+  const std::array<CellId, 2> cells = {CellId{1, 1}, CellId{1, 2}};
+  EXPECT_EQ(smoothing_.Take({cells, {0, 1}, {5}}, plan_).message(), "columns of unequal length");
+  EXPECT_EQ(smoothing_.Take({cells, {9}, {5}}, plan_).message(), "vertex 9 is not in the plan");
+  EXPECT_TRUE(smoothing_.Take({cells, {0, 1}, {5, 6}}, plan_).ok());
+}
+
 }  // namespace
 }  // namespace tilemend

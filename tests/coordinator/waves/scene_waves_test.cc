@@ -233,9 +233,9 @@ TEST(SceneWavesTest, GoesOnWithoutACellThatIsLeft) {
   while (const std::optional<SceneWork> work = waves.Next()) {
     names.push_back(NameOf(*work));
     if (names.back() == "fill +001_+001") {
-      waves.LeaveHoles({1, 1}, "the worker broke");
+      EXPECT_TRUE(waves.Take(LeftWork{LeftWork::Kind::kHoles, {1, 1}, "the worker broke"}).ok());
     } else if (names.back() == "assemble +002_+002") {
-      waves.LeaveTile({2, 2}, "the disk broke");
+      EXPECT_TRUE(waves.Take(LeftWork{LeftWork::Kind::kTile, {2, 2}, "the disk broke"}).ok());
     } else {
       stages.Do(*work);
     }
@@ -258,7 +258,7 @@ TEST(SceneWavesTest, FillsTheRestOfAClusterWhoseSurfaceIsLost) {
   Stages stages(waves, scene);
   while (const std::optional<SceneWork> work = waves.Next()) {
     if (const auto* cluster = std::get_if<ClusterWork>(&*work)) {
-      waves.LeaveHoles(cluster->holes.cell, "the solver broke");
+      EXPECT_TRUE(waves.Take(LeftWork{LeftWork::Kind::kHoles, cluster->holes.cell, "the solver broke"}).ok());
     } else {
       stages.Do(*work);
     }
@@ -274,14 +274,14 @@ TEST(SceneWavesTest, RefusesResultsThatNameNothing) {
   DoAll(AllNow(waves), stages);
   ASSERT_THAT(AllNow(waves), SizeIs(1));
   const auto vertices = static_cast<int32_t>(waves.plan().vertices.size());
-  EXPECT_TRUE(absl::IsInvalidArgument(waves.TakeCluster({7, {}, {}})));
-  EXPECT_TRUE(absl::IsInvalidArgument(waves.TakeCluster({0, {{vertices, 0, 0}}, {}})));
+  EXPECT_TRUE(absl::IsInvalidArgument(waves.Take(ClusterSamples{7, {}, {}})));
+  EXPECT_TRUE(absl::IsInvalidArgument(waves.Take(ClusterSamples{0, {{vertices, 0, 0}}, {}})));
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(absl::IsInvalidArgument(waves.TakeCluster({0, {{0, nan, 0}}, {}})));
-  EXPECT_TRUE(absl::IsInvalidArgument(waves.TakeCluster({0, {{0, 0, nan}}, {}})));
-  EXPECT_TRUE(absl::IsInvalidArgument(waves.TakeLayer({{{0, 0}, -1, 0}})));
-  EXPECT_TRUE(absl::IsInvalidArgument(waves.TakeLayer({{{0, 0}, 0, nan}})));
-  EXPECT_TRUE(absl::IsInvalidArgument(waves.TakeFill({0, 0}, {{{9, "", 1, 1, {}}}, {}})));
+  EXPECT_TRUE(absl::IsInvalidArgument(waves.Take(ClusterSamples{0, {{0, nan, 0}}, {}})));
+  EXPECT_TRUE(absl::IsInvalidArgument(waves.Take(ClusterSamples{0, {{0, 0, nan}}, {}})));
+  EXPECT_TRUE(absl::IsInvalidArgument(waves.Take(LayerSamples{{{{0, 0}, -1, 0}}})));
+  EXPECT_TRUE(absl::IsInvalidArgument(waves.Take(LayerSamples{{{{0, 0}, 0, nan}}})));
+  EXPECT_TRUE(absl::IsInvalidArgument(waves.Take(CellFill{{0, 0}, {{{9, "", 1, 1, {}}}, {}}})));
   EXPECT_TRUE(waves.outcome().sizes.empty());
 }
 
@@ -291,27 +291,15 @@ TEST(SceneWavesTest, KeepsTheTensionsAndTheQualityThatWereFound) {
   Stages stages(waves, scene);
   DoAll(AllNow(waves), stages);
   ASSERT_THAT(AllNow(waves), SizeIs(1));
-  ASSERT_TRUE(waves.TakeCluster({0, {}, HoldOut{0.25, 1, 2, 3}}).ok());
+  ASSERT_TRUE(waves.Take(ClusterSamples{0, {}, HoldOut{0.25, 1, 2, 3}}).ok());
   EXPECT_EQ(waves.outcome().of_clusters.at(0).tension, 0.25);
   EXPECT_EQ(waves.heights().tension.at(0), 0.25);
   CellPatches patches{{{3, "no way", 0, 0, HoldOut{0.5, 1, 2, 3}}}, {}};
   patches.quality.Add(0.5, false);
-  ASSERT_TRUE(waves.TakeFill({0, 0}, patches).ok());
+  ASSERT_TRUE(waves.Take(CellFill{{0, 0}, patches}).ok());
   EXPECT_EQ(waves.outcome().of_holes.at(3).tension, 0.5);
   EXPECT_EQ(waves.outcome().failures.at(3), "no way");
   EXPECT_EQ(waves.outcome().quality.triangles, 1);
-}
-
-TEST(SceneWavesTest, CountsTheTrianglesOfHolesThatAreFilledWhole) {
-  const SurveyedScene scene = Lake();
-  SceneWaves waves(scene.AsScene(), Dry());
-  Stages stages(waves, scene);
-  DoAll(AllNow(waves), stages);
-  AllNow(waves);
-  ASSERT_TRUE(waves.TakeFill({0, 0}, {{{3, "", 10, 20, {}}, {4, "", 10, 7, {}}}, {}}).ok());
-  EXPECT_EQ(waves.outcome().triangles, 27);
-  ASSERT_TRUE(waves.TakeFill({0, 0}, {{{3, "no way", 0, 0, {}}}, {}}).ok());
-  EXPECT_EQ(waves.outcome().triangles, 7);
 }
 
 TEST(SceneWavesTest, TakesASingleMeshWithoutAGrid) {

@@ -9,7 +9,9 @@ TEST(TileWritesTest, GivesEachTileOnce) {
   TileWrites writes;
   EXPECT_TRUE(writes.Queue({1, 2}));
   EXPECT_FALSE(writes.Queue({1, 2}));
-  EXPECT_TRUE(writes.Dismiss({3, 3}));
+  writes.Dismiss({3, 3});
+  writes.Dismiss({1, 2});  // it is to be written
+  EXPECT_EQ(writes.cells_done(), 1);
   EXPECT_FALSE(writes.Queue({3, 3}));
   EXPECT_EQ(writes.Next(0, false), (CellId{1, 2}));
   EXPECT_EQ(writes.Next(0, false), std::nullopt);
@@ -22,7 +24,7 @@ TEST(TileWritesTest, GivesAsManyAsThereIsOtherWorkOut) {
   EXPECT_EQ(writes.Next(1, true), (CellId{0, 0}));
   EXPECT_EQ(writes.Next(1, false), std::nullopt);
   EXPECT_EQ(writes.Next(2, false), (CellId{0, 1}));
-  writes.Settle();
+  writes.Settle(true);
   EXPECT_EQ(writes.Next(2, false), (CellId{0, 2}));
   EXPECT_EQ(writes.Next(0, false), (CellId{0, 3}));  // nothing else is left
   EXPECT_EQ(writes.Next(0, false), (CellId{0, 4}));
@@ -35,8 +37,9 @@ TEST(TileWritesTest, IsOverWhenAllResultsAreThere) {
   EXPECT_FALSE(writes.is_over());
   writes.Next(0, false);
   EXPECT_FALSE(writes.is_over());
-  writes.Settle();
+  writes.Settle(false);
   EXPECT_TRUE(writes.is_over());
+  EXPECT_EQ(writes.cells_done(), 0);
 }
 
 }  // namespace
