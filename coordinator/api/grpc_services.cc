@@ -9,6 +9,7 @@
 #include "common/util/status_macros.h"
 #include "coordinator/api/guarded_calls.h"
 #include "coordinator/api/scaler.h"
+#include "coordinator/api/sync_reactor.h"
 #include "coordinator/api/watch_reactor.h"
 #include "externalscaler/externalscaler.grpc.pb.h"
 #include "tilemend/v1/jobs.grpc.pb.h"
@@ -120,16 +121,15 @@ class WorkersService : public v1::Workers::Service {
   const Served& served_;
 };
 
-class WorkService : public v1::Work::Service {
+class WorkService : public v1::Work::WithCallbackMethod_Sync<v1::Work::Service> {
  public:
   explicit WorkService(const Served& served) : served_(served) {}
 
-  grpc::Status Sync(ServerContext* context, const v1::SyncRequest* request, v1::SyncResponse* response) override {
-    return served_.Run(*context, "tilemend.v1.Work/Sync", [&](const Caller& caller) {
-      return Take(served_.calls.work.Sync(
-                      *request, [context] { return !context->IsCancelled(); }, caller.name),
-                  response);
-    });
+  grpc::ServerUnaryReactor* Sync(grpc::CallbackServerContext* context, const v1::SyncRequest* request,
+                                 v1::SyncResponse* response) override {
+    auto* const reactor = new SyncReactor(served_.entrance, served_.calls.work, *context, *response);
+    reactor->Begin(PeerOf(*context), *request);
+    return reactor;
   }
   grpc::Status ReadBlob(ServerContext* context, const v1::ReadBlobRequest* request,
                         grpc::ServerWriter<v1::BlobChunk>* writer) override {

@@ -77,7 +77,7 @@ void WatchHandler::Gone(std::shared_ptr<Watch> watch) { Tell(std::move(watch), P
 void WatchHandler::Tell(std::shared_ptr<Watch> watch, Post post) {
   const ClusterLock lock(cluster_.mutex);
   posts_.emplace_back(std::move(watch), post);
-  cluster_.job_changed.notify_all();
+  cluster_.job_changed.Wake();
 }
 
 void WatchHandler::Run() {

@@ -72,9 +72,11 @@ class ChangeSignal {
   }
   // How often it was told of a change.
   uint64_t count() const { return count_; }
-  // Waits for a change after the first `seen`, or until `deadline`.
+  // Ends a wait although nothing has changed.
+  void Wake() { changed_.notify_all(); }
+  // Waits for a change after the first `seen`, or until `deadline`, or less.
   void WaitUntil(ClusterLock& lock, uint64_t seen, std::chrono::steady_clock::time_point deadline) {
-    changed_.wait_until(lock, deadline, [&] { return count_ != seen; });
+    if (count_ == seen) changed_.wait_until(lock, deadline);
   }
 
  private:
@@ -103,7 +105,7 @@ struct Cluster {
   CoordinatorMetrics metrics;
 
   std::mutex mutex;                      // guards all below
-  std::condition_variable work_changed;  // tasks were added or leases ended, or another call of a worker came
+  ChangeSignal work_changed;  // tasks were added or leases ended
   ChangeSignal job_changed;
   std::condition_variable stop_changed;
   bool stopping = false;
