@@ -28,7 +28,7 @@ class WatchHandler::Watch {
   uint64_t cursor = 0;
   bool lives = false;  // between its beginning and its end
   bool is_sending = false;
-  bool has_last = false;              // the state that is being sent is the last one
+  bool has_last = false;               // the state that is being sent is the last one
   std::optional<absl::Status> leaves;  // why
   std::unique_ptr<LongCalls::Call> call;
 };

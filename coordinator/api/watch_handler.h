@@ -86,8 +86,8 @@ class WatchHandler {
   void Take(const std::shared_ptr<Watch>& watch, Post post);
   // The topics with news. With the lock.
   std::vector<std::string> Look(SteadyTime now);
-  bool LookAtDemand(Topic& topic) const;                                     // with the lock
-  bool LookAtJob(const std::string& name, Topic& topic, SteadyTime now);     // likewise
+  bool LookAtDemand(Topic& topic) const;                                  // with the lock
+  bool LookAtJob(const std::string& name, Topic& topic, SteadyTime now);  // likewise
   void HandOut(const std::vector<std::string>& changed);
   void AskAll();
   void EndAll();

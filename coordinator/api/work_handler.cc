@@ -137,7 +137,8 @@ WorkHandler::WorkHandler(Cluster& cluster, StateUpdates& updates, const JobJourn
       calls_(kMostSyncs),
       answers_(kAnswering, kMostSyncs, [this](std::vector<Answer> answers) { Give(std::move(answers)); }),
       waiting_(cluster, [this](const std::shared_ptr<WorkerSync>& sync) { return TryToAnswer(sync); }),
-      checks_(CheckingThreads(), 1, [this](const std::vector<std::shared_ptr<WorkerSync>>& one) { Check(one.front()); }) {}
+      checks_(CheckingThreads(), 1,
+              [this](const std::vector<std::shared_ptr<WorkerSync>>& one) { Check(one.front()); }) {}
 
 WorkHandler::~WorkHandler() { checks_.Finish(); }  // whose calls go on to wait
 

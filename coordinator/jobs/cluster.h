@@ -104,7 +104,7 @@ struct Cluster {
   const std::shared_ptr<Journal> journal;
   CoordinatorMetrics metrics;
 
-  std::mutex mutex;                      // guards all below
+  std::mutex mutex;           // guards all below
   ChangeSignal work_changed;  // tasks were added or leases ended
   ChangeSignal job_changed;
   std::condition_variable stop_changed;

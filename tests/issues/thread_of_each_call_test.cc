@@ -24,13 +24,11 @@ namespace tilemend {
 namespace {
 
 constexpr int kWatches = 2000, kWorkers = 1000;
-constexpr int kChannels = 8;  // a connection has 512 calls at once
+constexpr int kChannels = 8;                           // a connection has 512 calls at once
 constexpr int kMostThreads = 32, kMostNewThreads = 8;  // gRPC itself has more on many cores
-constexpr int64_t kMostBytesOfCall = 1 << 20;  // on both sides
+constexpr int64_t kMostBytesOfCall = 1 << 20;          // on both sides
 
-int Threads() {
-  return static_cast<int>(std::distance(std::filesystem::directory_iterator("/proc/self/task"), {}));
-}
+int Threads() { return static_cast<int>(std::distance(std::filesystem::directory_iterator("/proc/self/task"), {})); }
 
 int64_t ResidentBytes() {
   int64_t all = 0, resident = 0;
@@ -137,7 +135,9 @@ class ThreadOfEachCallTest : public ::testing::Test {
     v1::CancelJobRequest cancel;
     cancel.set_name(request_.name());
     EXPECT_TRUE(cluster_.coordinator().calls().jobs.CancelJob(cancel).ok());
-    Await([&] { return std::all_of(watches_.begin(), watches_.end(), [](auto& watch) { return watch.is_over.load(); }); });
+    Await([&] {
+      return std::all_of(watches_.begin(), watches_.end(), [](auto& watch) { return watch.is_over.load(); });
+    });
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
   void EndWorkers() {

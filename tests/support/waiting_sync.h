@@ -17,8 +17,9 @@ inline absl::StatusOr<v1::SyncResponse> SyncAndWait(
     WorkHandler& work, const v1::SyncRequest& request, const std::function<bool()>& alive = [] { return true; },
     const std::string& identity = "") {
   const auto answer = std::make_shared<std::promise<absl::StatusOr<v1::SyncResponse>>>();
-  work.Sync(std::make_shared<WorkerSync>(WorkerSync{
-      request, identity, alive, [answer](absl::StatusOr<v1::SyncResponse> told) { answer->set_value(std::move(told)); }}));
+  work.Sync(std::make_shared<WorkerSync>(
+      WorkerSync{request, identity, alive,
+                 [answer](absl::StatusOr<v1::SyncResponse> told) { answer->set_value(std::move(told)); }}));
   return answer->get_future().get();
 }
 

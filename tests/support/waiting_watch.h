@@ -45,12 +45,16 @@ inline absl::Status AlwaysOk() { return absl::OkStatus(); }
 inline absl::Status WatchAndWait(WatchHandler& watches, const v1::WatchJobRequest& request,
                                  const std::function<bool(const v1::Job&)>& send,
                                  const WaitingWatch::Question& go_on = AlwaysOk) {
-  return WaitingWatch(watches, [&](const WatchNews& news) { return send(*news.job); }, go_on).WatchJob(request);
+  return WaitingWatch(
+             watches, [&](const WatchNews& news) { return send(*news.job); }, go_on)
+      .WatchJob(request);
 }
 
 // The same of the demand.
 inline absl::Status WatchDemandAndWait(WatchHandler& watches, const std::function<bool(bool)>& send) {
-  return WaitingWatch(watches, [&](const WatchNews& news) { return send(news.active); }, AlwaysOk).WatchDemand();
+  return WaitingWatch(
+             watches, [&](const WatchNews& news) { return send(news.active); }, AlwaysOk)
+      .WatchDemand();
 }
 
 }  // namespace tilemend

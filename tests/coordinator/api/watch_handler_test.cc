@@ -31,8 +31,7 @@ TEST_F(WatchHandlerTest, EndsWithTheJob) {
 TEST_F(WatchHandlerTest, KnowsItsJobs) {
   v1::WatchJobRequest watch;
   watch.set_name("jobs/none");
-  EXPECT_EQ(ErrorReason(WatchAndWait(calls_.watch, watch, [](const v1::Job&) { return true; })),
-            "JOB_NOT_FOUND");
+  EXPECT_EQ(ErrorReason(WatchAndWait(calls_.watch, watch, [](const v1::Job&) { return true; })), "JOB_NOT_FOUND");
 }
 
 TEST_F(WatchHandlerTest, TellsWhenThereIsSomethingToDo) {

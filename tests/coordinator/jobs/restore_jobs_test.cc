@@ -320,7 +320,8 @@ TEST(RestoreJobsTest, WhoWasSetAsideStaysSo) {
   finished.mutable_output()->set_content("lie");
   finished.mutable_output()->set_size(3);
   request.set_sequence(request.sequence() + 1);
-  EXPECT_EQ(SyncAndWait(cluster.coordinator().calls().work, request, alive)->set_aside(), "") << "nobody is known to do better";
+  EXPECT_EQ(SyncAndWait(cluster.coordinator().calls().work, request, alive)->set_aside(), "")
+      << "nobody is known to do better";
   cluster.AddWorker("good");
   EXPECT_EQ(cluster.WaitFor(name).state(), v1::DONE);
   cluster.Restart();
