@@ -24,7 +24,7 @@ namespace {
 constexpr int kBacklog = 4096;
 constexpr int kPauseMs = 50;  // after accept() failed for want of something
 // Of some 20 kB each.
-constexpr int kMostConnections = 2048;
+constexpr int kMostConnections = 4096;
 
 int SetPort(sockaddr_storage& address, int port) {
   auto* v4 = reinterpret_cast<sockaddr_in*>(&address);

@@ -16,7 +16,7 @@ AnswerLimit& LimitOfProcess() {
   return *limit;
 }
 
-void BeginAnswer(const grpc::ServerContext& context) {
+void BeginAnswer(const grpc::ServerContextBase& context) {
   LimitOfProcess().Begin(
       &context, [&context] { context.TryCancel(); }, std::chrono::steady_clock::now());
 }
@@ -67,6 +67,10 @@ AnswerWatch::AnswerWatch() : thread_(Look) {
   }();
   static_cast<void>(is_set);
 }
+
+Answering::Answering(const grpc::ServerContextBase& context) : context_(context) { BeginAnswer(context); }
+
+Answering::~Answering() { LimitOfProcess().End(&context_); }
 
 Handling::Handling(const grpc::ServerContext& context)
     : context_(context), is_watched_(LimitOfProcess().End(&context)) {}

@@ -51,6 +51,18 @@ class AnswerWatch {
   std::jthread thread_;
 };
 
+// From the last word of a call that has no thread to its end: the caller has half a minute to take the answer.
+class Answering {
+ public:
+  explicit Answering(const grpc::ServerContextBase& context);
+  ~Answering();
+  Answering(const Answering&) = delete;
+  Answering& operator=(const Answering&) = delete;
+
+ private:
+  const grpc::ServerContextBase& context_;
+};
+
 // Where a handler is at work, which bounds itself. The answer is watched if the call was.
 class Handling {
  public:

@@ -157,7 +157,7 @@ std::shared_ptr<grpc::ChannelCredentials> MakeChannelCredentials(const TlsFiles&
   return tls::TlsCredentials(options);
 }
 
-PeerClaims ClaimsOf(const grpc::ServerContext& context) {
+PeerClaims ClaimsOf(const grpc::ServerContextBase& context) {
   constexpr absl::string_view kScheme = "Bearer ";
   PeerClaims claims;
   claims.address = context.peer();

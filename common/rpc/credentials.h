@@ -15,7 +15,7 @@
 #include "common/util/flags.h"
 
 namespace grpc {
-class ServerContext;
+class ServerContextBase;
 }
 
 namespace tilemend {
@@ -71,7 +71,7 @@ struct PeerClaims {
   std::vector<std::string> uris;  // alternative names of the certificate
   std::string token;              // of "authorization: Bearer TOKEN"
 };
-PeerClaims ClaimsOf(const grpc::ServerContext& context);
+PeerClaims ClaimsOf(const grpc::ServerContextBase& context);
 
 }  // namespace tilemend
 

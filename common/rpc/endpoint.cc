@@ -24,7 +24,7 @@
 namespace tilemend {
 namespace {
 
-// Threads of calls. Each worker has a call waiting; watches and blobs are bounded below that by the services.
+// Threads of calls that do not wait for news: short ones, and streams of blobs, which are bounded below that.
 constexpr int kMostCalls = 1500;
 
 // Of one connection at once; a caller's further calls wait on its side.

@@ -9,6 +9,8 @@
 #include "common/util/status_macros.h"
 #include "coordinator/api/guarded_calls.h"
 #include "coordinator/api/scaler.h"
+#include "coordinator/api/sync_reactor.h"
+#include "coordinator/api/watch_reactor.h"
 #include "externalscaler/externalscaler.grpc.pb.h"
 #include "tilemend/v1/jobs.grpc.pb.h"
 #include "tilemend/v1/work.grpc.pb.h"
@@ -26,7 +28,7 @@ absl::Status Take(absl::StatusOr<T> result, T* response) {
   return absl::OkStatus();
 }
 
-Peer PeerOf(const ServerContext& context) {
+Peer PeerOf(const grpc::ServerContextBase& context) {
   PeerClaims shown = ClaimsOf(context);
   Peer peer{{std::move(shown.certificate_name), std::move(shown.uris), std::move(shown.token)},
             std::move(shown.address)};
@@ -48,10 +50,13 @@ struct Served {
     return ToGrpcStatus(entrance.Run(PeerOf(context), rpc, std::move(call)));
   }
 
-  // Why a call that goes on for long is to end: its caller has gone, or may not make it any more.
-  absl::Status GoOn(const ServerContext& context, std::string_view rpc) const {
-    if (context.IsCancelled()) return absl::CancelledError("the watcher went away");
-    return entrance.MayGoOn(PeerOf(context), rpc);
+  // `start` begins to watch, or gives an error.
+  template <class Message, class Start>
+  grpc::ServerWriteReactor<Message>* Watch(const grpc::CallbackServerContext& context, const char* rpc,
+                                           Start start) const {
+    auto* const reactor = new WatchReactor<Message>(entrance, calls.watch, context, PeerOf(context), rpc);
+    reactor->Begin(start);
+    return reactor;
   }
 
   // A call of GuardedCalls.
@@ -63,7 +68,7 @@ struct Served {
   }
 };
 
-class JobsService : public v1::Jobs::Service {
+class JobsService : public v1::Jobs::WithCallbackMethod_WatchJob<v1::Jobs::Service> {
  public:
   explicit JobsService(const Served& served) : served_(served) {}
 
@@ -77,13 +82,10 @@ class JobsService : public v1::Jobs::Service {
                         v1::ListJobsResponse* response) override {
     return served_.Answer(*context, *request, response, &GuardedCalls::ListJobs);
   }
-  grpc::Status WatchJob(ServerContext* context, const v1::WatchJobRequest* request,
-                        grpc::ServerWriter<v1::Job>* writer) override {
-    return served_.Run(*context, "tilemend.v1.Jobs/WatchJob", [&](const Caller&) {
-      return served_.calls.watch.WatchJob(
-          *request, [writer](const v1::Job& job) { return writer->Write(job); },
-          [&] { return served_.GoOn(*context, "tilemend.v1.Jobs/WatchJob"); });
-    });
+  grpc::ServerWriteReactor<v1::Job>* WatchJob(grpc::CallbackServerContext* context,
+                                              const v1::WatchJobRequest* request) override {
+    return served_.Watch<v1::Job>(*context, "tilemend.v1.Jobs/WatchJob",
+                                  [&](const auto& watch) { return served_.calls.watch.WatchJob(*request, watch); });
   }
   grpc::Status CancelJob(ServerContext* context, const v1::CancelJobRequest* request, v1::Job* response) override {
     return served_.Answer(*context, *request, response, &GuardedCalls::CancelJob);
@@ -119,16 +121,15 @@ class WorkersService : public v1::Workers::Service {
   const Served& served_;
 };
 
-class WorkService : public v1::Work::Service {
+class WorkService : public v1::Work::WithCallbackMethod_Sync<v1::Work::Service> {
  public:
   explicit WorkService(const Served& served) : served_(served) {}
 
-  grpc::Status Sync(ServerContext* context, const v1::SyncRequest* request, v1::SyncResponse* response) override {
-    return served_.Run(*context, "tilemend.v1.Work/Sync", [&](const Caller& caller) {
-      return Take(served_.calls.work.Sync(
-                      *request, [context] { return !context->IsCancelled(); }, caller.name),
-                  response);
-    });
+  grpc::ServerUnaryReactor* Sync(grpc::CallbackServerContext* context, const v1::SyncRequest* request,
+                                 v1::SyncResponse* response) override {
+    auto* const reactor = new SyncReactor(served_.entrance, served_.calls.work, *context, *response);
+    reactor->Begin(PeerOf(*context), *request);
+    return reactor;
   }
   grpc::Status ReadBlob(ServerContext* context, const v1::ReadBlobRequest* request,
                         grpc::ServerWriter<v1::BlobChunk>* writer) override {
@@ -155,7 +156,9 @@ class WorkService : public v1::Work::Service {
   const Served& served_;
 };
 
-class ScalerService : public externalscaler::ExternalScaler::Service {
+using Scaler = externalscaler::ExternalScaler;
+
+class ScalerService : public Scaler::WithCallbackMethod_StreamIsActive<Scaler::Service> {
  public:
   explicit ScalerService(const Served& served) : served_(served) {}
 
@@ -166,17 +169,11 @@ class ScalerService : public externalscaler::ExternalScaler::Service {
       return absl::OkStatus();
     });
   }
-  grpc::Status StreamIsActive(ServerContext* context, const externalscaler::ScaledObjectRef*,
-                              grpc::ServerWriter<externalscaler::IsActiveResponse>* writer) override {
-    return served_.Run(*context, "externalscaler.ExternalScaler/StreamIsActive", [&](const Caller&) {
-      const auto send = [writer](bool active) {
-        externalscaler::IsActiveResponse response;
-        response.set_result(active);
-        return writer->Write(response);
-      };
-      return served_.calls.watch.WatchDemand(
-          send, [&] { return served_.GoOn(*context, "externalscaler.ExternalScaler/StreamIsActive"); });
-    });
+  grpc::ServerWriteReactor<externalscaler::IsActiveResponse>* StreamIsActive(
+      grpc::CallbackServerContext* context, const externalscaler::ScaledObjectRef*) override {
+    return served_.Watch<externalscaler::IsActiveResponse>(
+        *context, "externalscaler.ExternalScaler/StreamIsActive",
+        [&](const auto& watch) { return served_.calls.watch.WatchDemand(watch); });
   }
   grpc::Status GetMetricSpec(ServerContext* context, const externalscaler::ScaledObjectRef* request,
                              externalscaler::GetMetricSpecResponse* response) override {

@@ -33,10 +33,18 @@ class Entrance {
   template <class Call>
   absl::Status Run(const Peer& peer, std::string_view rpc, Call call) const {
     const absl::Time start = absl::Now();
-    const auto caller = gate_->Admit(rpc, peer.claims, peer.address);
+    const auto caller = Begin(peer, rpc);
     const absl::Status status = caller.ok() ? call(*caller) : caller.status();
-    gate_->Ended(rpc, status, absl::Now() - start);
+    End(rpc, status, start);
     return status;
+  }
+
+  // The two halves of Run, for a call that no thread waits for. Also of a call that was refused.
+  absl::StatusOr<Caller> Begin(const Peer& peer, std::string_view rpc) const {
+    return gate_->Admit(rpc, peer.claims, peer.address);
+  }
+  void End(std::string_view rpc, const absl::Status& status, absl::Time start) const {
+    gate_->Ended(rpc, status, absl::Now() - start);
   }
 
   // Whether a call that was admitted still may go on: tokens expire and are taken back. Errors of Gate::Admit.

@@ -1,4 +1,4 @@
-// Calls that wait for others: streams of blobs and watches. Each takes a thread, so they are counted and looked after.
+// Calls that wait for others. Each takes memory, and a stream of a blob a thread. So they are counted and looked after.
 #ifndef TILEMEND_COORDINATOR_API_LONG_CALLS_H_
 #define TILEMEND_COORDINATOR_API_LONG_CALLS_H_
 

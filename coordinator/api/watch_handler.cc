@@ -1,8 +1,7 @@
 #include "coordinator/api/watch_handler.h"
 
-#include <chrono>
-#include <cstdint>
-#include <optional>
+#include <algorithm>
+#include <utility>
 
 #include "common/rpc/limits.h"
 #include "common/util/status_macros.h"
@@ -12,79 +11,200 @@
 namespace tilemend {
 namespace {
 
-using SteadyTime = std::chrono::steady_clock::time_point;
-
 constexpr std::chrono::milliseconds kWatchInterval(50);
 
-// `go_on` may read files.
-absl::Status AskWithoutLock(ClusterLock& lock, const WatchHandler::GoOn& go_on) {
-  lock.unlock();
-  absl::Status status = go_on();
-  lock.lock();
-  return status;
-}
+// Some 20 kB each.
+constexpr size_t kMostWatches = 4096;
 
 }  // namespace
 
-absl::Status WatchHandler::WatchJob(const v1::WatchJobRequest& request, const std::function<bool(const v1::Job&)>& send,
-                                    const GoOn& go_on) {
-  std::atomic<bool> gives_way{false};
-  TILEMEND_ASSIGN_OR_RETURN(const auto call, Enter(request.name(), gives_way));
-  uint64_t cursor = request.cursor();
-  SteadyTime next_send{};
-  ClusterLock lock(cluster_.mutex);
-  while (!gives_way) {
-    TILEMEND_ASSIGN_OR_RETURN(const Job* job, cluster_.JobNamed(request.name()));
-    const SteadyTime now = std::chrono::steady_clock::now();
-    const bool over = IsOver(job->state);
-    if (over || (job->version > cursor && now >= next_send)) {
-      const v1::Job message = DescribeJob(cluster_, *job);
-      lock.unlock();
-      cluster_.journal->Await();
-      if (!send(message)) return absl::CancelledError("the watcher went away");
-      if (over) return absl::OkStatus();
-      call->Touch(cluster_.options.clock());
-      cursor = message.cursor();
-      next_send = now + kWatchInterval;
-      lock.lock();
-      continue;
-    }
-    if (cluster_.stopping)
-      return absl::UnavailableError("the coordinator is shutting down; watch again with the last cursor");
-    cluster_.job_changed.wait_until(lock,
-                                    job->version > cursor ? next_send : now + absl::ToChronoMilliseconds(kMaxPoll));
-    TILEMEND_RETURN_IF_ERROR(AskWithoutLock(lock, go_on));
+// Belongs to the thread once it has been told of it. It counts as a call as long as anybody knows it.
+class WatchHandler::Watch {
+ public:
+  explicit Watch(Watcher& to) : watcher(to) {}
+
+  Watcher& watcher;
+  std::string topic;
+  uint64_t cursor = 0;
+  bool lives = false;  // between its beginning and its end
+  bool is_sending = false;
+  bool has_last = false;               // the state that is being sent is the last one
+  std::optional<absl::Status> leaves;  // why
+  std::unique_ptr<LongCalls::Call> call;
+};
+
+WatchHandler::WatchHandler(Cluster& cluster)
+    : cluster_(cluster), watches_(kMostWatches, LongCalls::WhenFull::kStopOldest), thread_([this] { Run(); }) {}
+
+WatchHandler::~WatchHandler() {
+  {
+    const ClusterLock lock(cluster_.mutex);
+    quits_ = true;
+    cluster_.job_changed.notify_all();
   }
+  thread_.join();
+}
+
+std::shared_ptr<WatchHandler::Watch> WatchHandler::NewWatch(Watcher& watcher) {
+  return std::make_shared<Watch>(watcher);
+}
+
+absl::Status WatchHandler::WatchJob(const v1::WatchJobRequest& request, const std::shared_ptr<Watch>& watch) {
+  {
+    const ClusterLock lock(cluster_.mutex);
+    TILEMEND_RETURN_IF_ERROR(cluster_.JobNamed(request.name()).status());
+  }
+  return Enter(request.name(), request.cursor(), watch);
+}
+
+absl::Status WatchHandler::WatchDemand(const std::shared_ptr<Watch>& watch) { return Enter("", 0, watch); }
+
+absl::Status WatchHandler::Enter(const std::string& topic, uint64_t cursor, const std::shared_ptr<Watch>& watch) {
+  const auto give_way = [this, weak = std::weak_ptr(watch)] {
+    if (auto oldest = weak.lock()) Tell(std::move(oldest), Post::kGivesWay);
+  };
+  TILEMEND_ASSIGN_OR_RETURN(watch->call, watches_.Enter(topic, cluster_.options.clock(), give_way));
+  watch->topic = topic;
+  watch->cursor = cursor;
+  Tell(watch, Post::kNew);
   return absl::OkStatus();
 }
 
-absl::Status WatchHandler::WatchDemand(const std::function<bool(bool)>& send, const GoOn& go_on) {
-  std::atomic<bool> gives_way{false};
-  TILEMEND_ASSIGN_OR_RETURN(const auto call, Enter("", gives_way));
-  std::optional<bool> told;
-  ClusterLock lock(cluster_.mutex);
-  while (!cluster_.stopping && !gives_way) {
-    const bool active = DemandOf(cluster_.state).jobs > 0;
-    if (told != active) {
-      lock.unlock();
-      if (!send(active)) return absl::CancelledError("the watcher went away");
-      call->Touch(cluster_.options.clock());
-      told = active;
-      lock.lock();
-      continue;
-    }
-    cluster_.job_changed.wait_for(lock, absl::ToChronoMilliseconds(kMaxPoll));
-    TILEMEND_RETURN_IF_ERROR(AskWithoutLock(lock, go_on));
-  }
-  return gives_way ? absl::OkStatus() : absl::UnavailableError("the coordinator is shutting down");
+void WatchHandler::Sent(std::shared_ptr<Watch> watch) { Tell(std::move(watch), Post::kSent); }
+
+void WatchHandler::Gone(std::shared_ptr<Watch> watch) { Tell(std::move(watch), Post::kGone); }
+
+void WatchHandler::Tell(std::shared_ptr<Watch> watch, Post post) {
+  const ClusterLock lock(cluster_.mutex);
+  posts_.emplace_back(std::move(watch), post);
+  cluster_.job_changed.Wake();
 }
 
-absl::StatusOr<std::unique_ptr<LongCalls::Call>> WatchHandler::Enter(const std::string& job,
-                                                                     std::atomic<bool>& gives_way) {
-  return watches_.Enter(job, cluster_.options.clock(), [this, &gives_way] {
-    gives_way = true;
-    cluster_.job_changed.notify_all();  // one that misses it looks after kMaxPoll
-  });
+void WatchHandler::Run() {
+  SteadyTime next_question = SteadyTime::min();
+  ClusterLock lock(cluster_.mutex);
+  while (true) {
+    auto posts = std::exchange(posts_, {});
+    lock.unlock();
+    for (const auto& [watch, post] : posts) Take(watch, post);
+    posts.clear();  // without the lock: the last to know a watch takes that of its call
+    const SteadyTime now = std::chrono::steady_clock::now();
+    if (now >= next_question) {
+      AskAll();
+      next_question = now + absl::ToChronoMilliseconds(kMaxPoll);
+    }
+    lock.lock();
+    const uint64_t seen = cluster_.job_changed.count();
+    const bool stops = cluster_.stopping;
+    const std::vector<std::string> changed = Look(now);
+    lock.unlock();
+    HandOut(changed);
+    if (stops) EndAll();
+    lock.lock();
+    if (quits_ && topics_.empty() && posts_.empty()) return;
+    if (posts_.empty()) cluster_.job_changed.WaitUntil(lock, seen, std::min(next_question, next_look_));
+  }
+}
+
+void WatchHandler::Take(const std::shared_ptr<Watch>& watch, Post post) {
+  if (post == Post::kNew) {
+    watch->lives = true;
+    topics_[watch->topic].watches.insert(watch);
+  }
+  if (post == Post::kGone) watch->leaves = absl::CancelledError("the watcher went away");
+  if (post == Post::kGivesWay) watch->leaves = absl::OkStatus();
+  if (post == Post::kSent) {
+    watch->is_sending = false;
+    if (watch->has_last) watch->leaves = absl::OkStatus();
+  }
+  if (!watch->lives) return;  // not yet, or no more
+  watch->leaves ? End(watch, *watch->leaves) : Deliver(*watch, topics_.at(watch->topic));
+}
+
+std::vector<std::string> WatchHandler::Look(SteadyTime now) {
+  next_look_ = SteadyTime::max();
+  std::vector<std::string> changed;
+  for (auto& [name, topic] : topics_) {
+    if (name.empty() ? LookAtDemand(topic) : LookAtJob(name, topic, now)) changed.push_back(name);
+  }
+  return changed;
+}
+
+bool WatchHandler::LookAtDemand(Topic& topic) const {
+  const bool active = DemandOf(cluster_.state).jobs > 0;
+  if (topic.news && topic.news->active == active) return false;
+  topic.news = WatchNews{topic.news ? topic.news->number + 1 : 1, false, nullptr, active};
+  return true;
+}
+
+bool WatchHandler::LookAtJob(const std::string& name, Topic& topic, SteadyTime now) {
+  const auto job = cluster_.JobNamed(name);
+  topic.error = job.status();
+  if (!job.ok()) return true;
+  const bool over = IsOver((*job)->state);
+  if (topic.news && (topic.news->is_last || (*job)->version <= topic.news->number)) return false;
+  if (!over && now < topic.next) {
+    next_look_ = std::min(next_look_, topic.next);
+    return false;
+  }
+  auto message = std::make_shared<const v1::Job>(DescribeJob(cluster_, **job));
+  topic.news = WatchNews{message->cursor(), over, message};
+  topic.next = now + kWatchInterval;
+  return true;
+}
+
+void WatchHandler::HandOut(const std::vector<std::string>& changed) {
+  if (changed.empty()) return;
+  cluster_.journal->Await();
+  for (const std::string& name : changed) {
+    const auto topic = topics_.find(name);
+    if (topic->second.error.ok()) {
+      for (const auto& watch : topic->second.watches) Deliver(*watch, topic->second);
+      continue;
+    }
+    const absl::Status error = topic->second.error;
+    for (const auto& watch : std::set(topic->second.watches)) End(watch, error);
+  }
+}
+
+void WatchHandler::AskAll() {
+  for (const auto& watch : All()) {
+    if (const absl::Status status = watch->watcher.GoOn(); !status.ok()) End(watch, status);
+  }
+}
+
+// What is known is told before, and an end that is known is the end.
+void WatchHandler::EndAll() {
+  for (const auto& watch : All()) {
+    if (watch->has_last) continue;
+    End(watch, absl::UnavailableError(watch->topic.empty()
+                                          ? "the coordinator is shutting down"
+                                          : "the coordinator is shutting down; watch again with the last cursor"));
+  }
+}
+
+void WatchHandler::Deliver(Watch& watch, const Topic& topic) {
+  if (watch.is_sending || !topic.news) return;
+  if (topic.news->number <= watch.cursor && !topic.news->is_last) return;
+  watch.cursor = topic.news->number;
+  watch.is_sending = true;
+  watch.has_last = topic.news->is_last;
+  watch.call->Touch(cluster_.options.clock());
+  watch.watcher.Send(*topic.news);
+}
+
+void WatchHandler::End(const std::shared_ptr<Watch>& watch, const absl::Status& status) {
+  watch->lives = false;
+  const auto topic = topics_.find(watch->topic);
+  topic->second.watches.erase(watch);
+  if (topic->second.watches.empty()) topics_.erase(topic);
+  watch->watcher.End(status);
+}
+
+std::vector<std::shared_ptr<WatchHandler::Watch>> WatchHandler::All() const {
+  std::vector<std::shared_ptr<Watch>> all;
+  for (const auto& [name, topic] : topics_) all.insert(all.end(), topic.watches.begin(), topic.watches.end());
+  return all;
 }
 
 }  // namespace tilemend

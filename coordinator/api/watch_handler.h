@@ -1,43 +1,107 @@
 // Calls that follow jobs and the demand for workers.
+//
+// A watch holds no thread: it is an entry in a list. One thread looks at what has changed, describes each watched job
+// once for all who watch it, and hands that out. To a watch that has not taken its last state yet only the newest one
+// goes afterwards.
 #ifndef TILEMEND_COORDINATOR_API_WATCH_HANDLER_H_
 #define TILEMEND_COORDINATOR_API_WATCH_HANDLER_H_
 
-#include <atomic>
-#include <functional>
+#include <chrono>
+#include <cstdint>
+#include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
+#include <thread>
+#include <utility>
+#include <vector>
 
 #include "absl/status/status.h"
-#include "absl/status/statusor.h"
 #include "coordinator/api/long_calls.h"
 #include "coordinator/jobs/cluster.h"
 #include "tilemend/v1/jobs.pb.h"
 
 namespace tilemend {
 
-// Thread-safe. Each call waits for news. If too many wait, the one that has had no news for longest ends (OK) and makes
-// room; its caller may watch again. Returns kUnavailable when the coordinator ends.
+// A state of a job, or of the demand.
+struct WatchNews {
+  uint64_t number = 0;                 // grows with each state; of a job its cursor
+  bool is_last = false;                // the job is over
+  std::shared_ptr<const v1::Job> job;  // null: of the demand
+  bool active = false;                 // whether there is anything to do
+};
+
+// One who watches. All is called by one thread, which must not be kept waiting, and without a lock.
+class Watcher {
+ public:
+  virtual ~Watcher() = default;
+  // Why the watch is to end, or OK. At least once a second.
+  virtual absl::Status GoOn() = 0;
+  // Nothing further is sent before WatchHandler::Sent.
+  virtual void Send(const WatchNews& news) = 0;
+  // The last call, perhaps before Sent.
+  virtual void End(const absl::Status& status) = 0;
+};
+
+// Thread-safe. If too many watch, the one that has had no news for longest ends (OK) and makes room; its caller may
+// watch again. Watches end with kUnavailable when the coordinator ends.
 class WatchHandler {
  public:
-  // Why a call is to end, or OK. Called at least once a second, without a lock.
-  using GoOn = std::function<absl::Status()>;
+  class Watch;  // one call
 
   // `cluster` must outlive this.
-  explicit WatchHandler(Cluster& cluster) : cluster_(cluster) {}
+  explicit WatchHandler(Cluster& cluster);
+  // Every watch has ended: the coordinator waits no more.
+  ~WatchHandler();
 
-  // Calls `send` for each state of the job as the message says. Ends when the job is over (OK), when `send` returns
-  // false (kCancelled) and with the error of `go_on`.
-  absl::Status WatchJob(const v1::WatchJobRequest& request, const std::function<bool(const v1::Job&)>& send,
-                        const GoOn& go_on);
+  // `watcher` must live until its End.
+  static std::shared_ptr<Watch> NewWatch(Watcher& watcher);
+  // Sends each state of the job as the message says. Ends when the job is over (OK), after Gone (kCancelled), and with
+  // the error of GoOn. On an error here nothing of the watcher is ever called.
+  absl::Status WatchJob(const v1::WatchJobRequest& request, const std::shared_ptr<Watch>& watch);
   // As WatchJob, of whether there is anything to do: now, and after each change.
-  absl::Status WatchDemand(const std::function<bool(bool)>& send, const GoOn& go_on);
+  absl::Status WatchDemand(const std::shared_ptr<Watch>& watch);
+  // The watch can take another state.
+  void Sent(std::shared_ptr<Watch> watch);
+  // Its caller has gone.
+  void Gone(std::shared_ptr<Watch> watch);
 
  private:
-  // `gives_way` becomes true when another watch takes the place of this one; it outlives what is returned.
-  absl::StatusOr<std::unique_ptr<LongCalls::Call>> Enter(const std::string& job, std::atomic<bool>& gives_way);
+  using SteadyTime = std::chrono::steady_clock::time_point;
+  enum class Post { kNew, kSent, kGone, kGivesWay };
+  // What is watched: a job by its name, or the demand.
+  struct Topic {
+    std::optional<WatchNews> news;
+    SteadyTime next = {};  // no further state before
+    absl::Status error;    // why it cannot be watched any more
+    std::set<std::shared_ptr<Watch>> watches;
+  };
+  using Topics = std::map<std::string, Topic>;  // the demand is ""
+
+  absl::Status Enter(const std::string& topic, uint64_t cursor, const std::shared_ptr<Watch>& watch);
+  void Tell(std::shared_ptr<Watch> watch, Post post);  // takes the lock
+  // All below on the thread alone; with the lock held where that says so.
+  void Run();
+  void Take(const std::shared_ptr<Watch>& watch, Post post);
+  // The topics with news. With the lock.
+  std::vector<std::string> Look(SteadyTime now);
+  bool LookAtDemand(Topic& topic) const;                                  // with the lock
+  bool LookAtJob(const std::string& name, Topic& topic, SteadyTime now);  // likewise
+  void HandOut(const std::vector<std::string>& changed);
+  void AskAll();
+  void EndAll();
+  void Deliver(Watch& watch, const Topic& topic);
+  void End(const std::shared_ptr<Watch>& watch, const absl::Status& status);
+  std::vector<std::shared_ptr<Watch>> All() const;
 
   Cluster& cluster_;
-  LongCalls watches_{500, LongCalls::WhenFull::kStopOldest};  // threads
+  LongCalls watches_;
+  std::vector<std::pair<std::shared_ptr<Watch>, Post>> posts_;  // guarded by the lock
+  bool quits_ = false;                                          // likewise
+  Topics topics_;                                               // the thread's, as all below
+  SteadyTime next_look_ = SteadyTime::max();                    // a state waits so long
+  std::thread thread_;                                          // last: it uses the others
 };
 
 }  // namespace tilemend

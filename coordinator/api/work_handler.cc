@@ -9,6 +9,7 @@
 #include <optional>
 #include <random>
 #include <set>
+#include <thread>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -27,7 +28,14 @@ namespace {
 constexpr int32_t kMaxThreads = 2048;
 constexpr size_t kMostNameBytes = 256;
 
-using SteadyTime = std::chrono::steady_clock::time_point;
+// Each takes some 20 kB, and what it says.
+constexpr size_t kMostSyncs = 4096;
+
+// All that is told at once waits for the disk once, so that two threads answer.
+constexpr size_t kAnswering = 2;
+
+// Checks read files and compute.
+size_t CheckingThreads() { return std::clamp<size_t>(std::thread::hardware_concurrency(), 4, 16); }
 
 // Of another protocol anything may be said.
 std::string Shown(const std::string& text) { return Printable(text.substr(0, kMostNameBytes)); }
@@ -121,66 +129,124 @@ void InlineInputs(Cluster& cluster, const InputFolders& blobs, v1::SyncResponse&
 
 }  // namespace
 
-absl::StatusOr<v1::SyncResponse> WorkHandler::Sync(const v1::SyncRequest& request, const std::function<bool()>& alive,
-                                                   const std::string& identity) {
-  if (const absl::Status other = CheckProgram(request, cluster_.options.build); !other.ok()) {
-    ClusterLock lock(cluster_.mutex);
-    cluster_.events.WorkerRefused(Shown(request.worker()), Shown(request.release()), other, cluster_.options.clock());
-    return other;
+WorkHandler::WorkHandler(Cluster& cluster, StateUpdates& updates, const JobJournal& journal)
+    : cluster_(cluster),
+      updates_(updates),
+      journal_(journal),
+      results_(cluster, updates),
+      calls_(kMostSyncs),
+      answers_(kAnswering, kMostSyncs, [this](std::vector<Answer> answers) { Give(std::move(answers)); }),
+      waiting_(cluster, [this](const std::shared_ptr<WorkerSync>& sync) { return TryToAnswer(sync); }),
+      checks_(CheckingThreads(), 1,
+              [this](const std::vector<std::shared_ptr<WorkerSync>>& one) { Check(one.front()); }) {}
+
+WorkHandler::~WorkHandler() { checks_.Finish(); }  // whose calls go on to wait
+
+void WorkHandler::Sync(std::shared_ptr<WorkerSync> sync) {
+  const v1::SyncRequest& request = sync->request;
+  absl::Status refused = Refusal(request);
+  if (refused.ok()) {
+    auto call = calls_.Enter("", cluster_.options.clock(), [] {});
+    refused = call.status();
+    if (call.ok()) sync->call = *std::move(call);
   }
-  TILEMEND_RETURN_IF_ERROR(CheckSync(request));
-  std::vector<ResultIntake::Report> reports = LookAtResults(request, identity);
-  v1::SyncResponse response;
-  std::map<std::string, std::shared_ptr<BlobFolder>> blobs;
-  {
-    ClusterLock lock(cluster_.mutex);
-    TILEMEND_RETURN_IF_ERROR(CheckSecret(request, identity));
-    uint64_t& sequence = cluster_.callers[request.worker()].sequence;
-    sequence = std::max(sequence, request.sequence());
-    cluster_.work_changed.notify_all();  // an older call of this worker ends
-    const bool is_new = cluster_.state.FindWorker(request.worker()) == nullptr;
-    TILEMEND_RETURN_IF_ERROR(updates_
-                                 .Apply(WorkerSeen{request.worker(), request.threads(), request.draining(),
-                                                   cluster_.options.clock(), request.prefetch()})
-                                 .status());
-    if (is_new) {
-      cluster_.events.WorkerCame(*cluster_.state.FindWorker(request.worker()), request.release(), identity);
-      cluster_.ShowMetrics();
-    }
-    TakeResults(request, std::move(reports), lock, response);
-    if (const std::vector<std::string> unseen = TakeSeen(request); !unseen.empty()) {
-      lock.unlock();
-      FailJobsThatAreGone(unseen);
-      lock.lock();
-    }
-    TILEMEND_RETURN_IF_ERROR(AwaitNews(request, alive, lock, response));
-    blobs = BlobsOf(cluster_, response);
+  if (!refused.ok()) return sync->answer(refused);
+  if (request.finished().empty() && request.seen().empty()) return Enter(sync, {});
+  if (!request.finished().empty()) {
+    const ClusterLock lock(cluster_.mutex);
+    StartCheck(*sync, 1);
   }
-  cluster_.journal->Await();
-  InlineInputs(cluster_, blobs, response);
-  return response;
+  checks_.Add(std::move(sync));
 }
 
-std::vector<ResultIntake::Report> WorkHandler::LookAtResults(const v1::SyncRequest& request,
-                                                             const std::string& identity) {
-  if (request.finished().empty()) return {};
-  const auto count = [&](int change) {
-    ClusterLock lock(cluster_.mutex);
-    const auto caller = cluster_.callers.find(request.worker());
-    if (caller == cluster_.callers.end() || !IsSameCaller(caller->second, request, identity)) return;
-    caller->second.calls = std::max(0, caller->second.calls + change);
-    // Its silence begins when it has been looked at.
-    const WorkerRecord* worker = cluster_.state.FindWorker(request.worker());
-    if (worker == nullptr) return;
-    updates_
-        .Apply(WorkerSeen{worker->id, worker->threads, worker->draining, cluster_.options.clock(), worker->prefetch})
-        .IgnoreError();
-    RenewHeld(request);
-  };
-  count(1);
-  std::vector<ResultIntake::Report> reports = results_.Prepare(request);
-  count(-1);
-  return reports;
+void WorkHandler::Gone(const std::string& worker) {
+  const ClusterLock lock(cluster_.mutex);
+  waiting_.Look(worker);
+}
+
+absl::Status WorkHandler::Refusal(const v1::SyncRequest& request) {
+  const absl::Status other = CheckProgram(request, cluster_.options.build);
+  if (other.ok()) return CheckSync(request);
+  const ClusterLock lock(cluster_.mutex);
+  cluster_.events.WorkerRefused(Shown(request.worker()), Shown(request.release()), other, cluster_.options.clock());
+  return other;
+}
+
+void WorkHandler::StartCheck(const WorkerSync& sync, int change) {
+  const auto caller = cluster_.callers.find(sync.request.worker());
+  if (caller == cluster_.callers.end() || !IsSameCaller(caller->second, sync.request, sync.identity)) return;
+  caller->second.calls = std::max(0, caller->second.calls + change);
+  // Its silence begins when it has been looked at.
+  const WorkerRecord* worker = cluster_.state.FindWorker(sync.request.worker());
+  if (worker == nullptr) return;
+  updates_.Apply(WorkerSeen{worker->id, worker->threads, worker->draining, cluster_.options.clock(), worker->prefetch})
+      .IgnoreError();
+  RenewHeld(sync.request);
+}
+
+void WorkHandler::Check(const std::shared_ptr<WorkerSync>& sync) {
+  if (sync->request.finished().empty()) return Enter(sync, {});
+  // Whoever has waited too long in the queue reports them again.
+  std::vector<ResultIntake::Report> reports;
+  if (sync->alive()) reports = results_.Prepare(sync->request);
+  {
+    const ClusterLock lock(cluster_.mutex);
+    StartCheck(*sync, -1);
+  }
+  Enter(sync, std::move(reports));
+}
+
+void WorkHandler::Enter(const std::shared_ptr<WorkerSync>& sync, std::vector<ResultIntake::Report> reports) {
+  ClusterLock lock(cluster_.mutex);
+  const absl::Status status = TakeAll(*sync, std::move(reports), lock);
+  if (!status.ok()) return answers_.Add({sync, status});
+  const absl::Duration wait = std::clamp(absl::Milliseconds(sync->request.wait_ms()), absl::ZeroDuration(), kMaxPoll);
+  sync->deadline = std::chrono::steady_clock::now() + absl::ToChronoMilliseconds(wait);
+  if (!TryToAnswer(sync)) waiting_.Add(sync);
+}
+
+absl::Status WorkHandler::TakeAll(WorkerSync& sync, std::vector<ResultIntake::Report> reports, ClusterLock& lock) {
+  const v1::SyncRequest& request = sync.request;
+  TILEMEND_RETURN_IF_ERROR(CheckSecret(request, sync.identity));
+  uint64_t& sequence = cluster_.callers[request.worker()].sequence;
+  sequence = std::max(sequence, request.sequence());
+  waiting_.Look(request.worker());  // an older call of this worker ends
+  const bool is_new = cluster_.state.FindWorker(request.worker()) == nullptr;
+  TILEMEND_RETURN_IF_ERROR(updates_
+                               .Apply(WorkerSeen{request.worker(), request.threads(), request.draining(),
+                                                 cluster_.options.clock(), request.prefetch()})
+                               .status());
+  if (is_new) {
+    cluster_.events.WorkerCame(*cluster_.state.FindWorker(request.worker()), request.release(), sync.identity);
+    cluster_.ShowMetrics();
+  }
+  TakeResults(request, std::move(reports), lock, sync.response);
+  if (const std::vector<std::string> unseen = TakeSeen(request); !unseen.empty()) {
+    lock.unlock();
+    FailJobsThatAreGone(unseen);
+    lock.lock();
+  }
+  return absl::OkStatus();
+}
+
+bool WorkHandler::TryToAnswer(const std::shared_ptr<WorkerSync>& sync) {
+  const std::optional<absl::Status> end = EndOf(*sync);
+  if (!end) return false;
+  answers_.Add({sync, *end, end->ok() ? BlobsOf(cluster_, sync->response) : InputFolders()});
+  return true;
+}
+
+// All of them wait for the disk together.
+void WorkHandler::Give(std::vector<Answer> answers) {
+  cluster_.journal->Await();
+  for (Answer& answer : answers) {
+    if (!answer.status.ok()) {
+      answer.sync->answer(answer.status);
+      continue;
+    }
+    InlineInputs(cluster_, answer.blobs, answer.sync->response);
+    answer.sync->answer(std::move(answer.sync->response));
+  }
 }
 
 void WorkHandler::TakeResults(const v1::SyncRequest& request, std::vector<ResultIntake::Report> reports,
@@ -251,31 +317,28 @@ void WorkHandler::RenewHeld(const v1::SyncRequest& request) {
   }
 }
 
-absl::Status WorkHandler::AwaitNews(const v1::SyncRequest& request, const std::function<bool()>& alive,
-                                    ClusterLock& lock, v1::SyncResponse& response) {
-  const absl::Duration wait = std::clamp(absl::Milliseconds(request.wait_ms()), absl::ZeroDuration(), kMaxPoll);
-  const SteadyTime deadline = std::chrono::steady_clock::now() + absl::ToChronoMilliseconds(wait);
-  while (true) {
-    const auto caller = cluster_.callers.find(request.worker());
-    if (caller == cluster_.callers.end() || caller->second.sequence > request.sequence()) {
-      return absl::AbortedError("a newer call of this worker took over");
-    }
-    if (!alive()) return absl::CancelledError("the worker went away");
-    if (request.draining() && request.held().empty()) {
-      updates_.Apply(WorkerLeft{request.worker()}).IgnoreError();
-      cluster_.ForgetWorker(request.worker());
-      cluster_.events.WorkerLeft(request.worker());
-      cluster_.ShowMetrics();
-      response.set_leave(true);
-      return absl::OkStatus();
-    }
-    TellState(request, response);
-    const bool news = response.start_size() > 0 || response.look_size() > 0 || response.acknowledged_size() > 0 ||
-                      response.keep_size() < request.held_size();
-    if (cluster_.stopping && !news) return absl::UnavailableError("the coordinator is shutting down");
-    if (news || std::chrono::steady_clock::now() >= deadline) return absl::OkStatus();
-    cluster_.work_changed.wait_until(lock, deadline);
+std::optional<absl::Status> WorkHandler::EndOf(WorkerSync& sync) {
+  const v1::SyncRequest& request = sync.request;
+  v1::SyncResponse& response = sync.response;
+  const auto caller = cluster_.callers.find(request.worker());
+  if (caller == cluster_.callers.end() || caller->second.sequence > request.sequence()) {
+    return absl::AbortedError("a newer call of this worker took over");
   }
+  if (!sync.alive()) return absl::CancelledError("the worker went away");
+  if (request.draining() && request.held().empty()) {
+    updates_.Apply(WorkerLeft{request.worker()}).IgnoreError();
+    cluster_.ForgetWorker(request.worker());
+    cluster_.events.WorkerLeft(request.worker());
+    cluster_.ShowMetrics();
+    response.set_leave(true);
+    return absl::OkStatus();
+  }
+  TellState(request, response);
+  const bool news = response.start_size() > 0 || response.look_size() > 0 || response.acknowledged_size() > 0 ||
+                    response.keep_size() < request.held_size();
+  if (cluster_.stopping && !news) return absl::UnavailableError("the coordinator is shutting down");
+  if (news || std::chrono::steady_clock::now() >= sync.deadline) return absl::OkStatus();
+  return std::nullopt;
 }
 
 void WorkHandler::TellState(const v1::SyncRequest& request, v1::SyncResponse& response) {

@@ -2,36 +2,56 @@
 #ifndef TILEMEND_COORDINATOR_API_WORK_HANDLER_H_
 #define TILEMEND_COORDINATOR_API_WORK_HANDLER_H_
 
-#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "absl/status/status.h"
-#include "absl/status/statusor.h"
+#include "coordinator/api/crew.h"
+#include "coordinator/api/long_calls.h"
 #include "coordinator/api/result_intake.h"
+#include "coordinator/api/waiting_syncs.h"
 #include "coordinator/jobs/cluster.h"
 #include "coordinator/jobs/job_journal.h"
 #include "coordinator/jobs/state_updates.h"
+#include "coordinator/store/blob_folder.h"
 #include "tilemend/v1/work.pb.h"
 
 namespace tilemend {
 
-// Thread-safe.
+// Thread-safe. A call that waits holds no thread. Results are checked by a few threads, and answers given by others.
 class WorkHandler {
  public:
   // All must outlive this.
-  WorkHandler(Cluster& cluster, StateUpdates& updates, const JobJournal& journal)
-      : cluster_(cluster), updates_(updates), journal_(journal), results_(cluster, updates) {}
+  WorkHandler(Cluster& cluster, StateUpdates& updates, const JobJournal& journal);
+  // Every call has ended: the coordinator waits no more, and no other call comes.
+  ~WorkHandler();
 
-  // Waits for news as its message says. `alive` tells whether the worker still waits for the answer: nothing is leased
-  // to one that does not.
-  absl::StatusOr<v1::SyncResponse> Sync(const v1::SyncRequest& request, const std::function<bool()>& alive,
-                                        const std::string& identity = "");
+  // Waits for news as the call's message says, then answers, on any thread. Does not wait itself.
+  void Sync(std::shared_ptr<WorkerSync> sync);
+  // `alive` says so no more. Nothing is leased to a worker that does not wait for its answer.
+  void Gone(const std::string& worker);
 
  private:
-  // All but the first and FailJobsThatAreGone with the lock held.
-  // However long it takes, the worker does not count as silent meanwhile.
-  std::vector<ResultIntake::Report> LookAtResults(const v1::SyncRequest& request, const std::string& identity);
+  // An answer that waits until it is durable.
+  struct Answer {
+    std::shared_ptr<WorkerSync> sync;
+    absl::Status status;
+    std::map<std::string, std::shared_ptr<BlobFolder>> blobs = {};  // of the tasks in it, by job
+  };
+
+  // All with the lock held, but Refusal, Check, FailJobsThatAreGone and Give.
+  absl::Status Refusal(const v1::SyncRequest& request);
+  // However long it takes, the worker does not count as silent from StartCheck to its end.
+  void StartCheck(const WorkerSync& sync, int change);
+  void Check(const std::shared_ptr<WorkerSync>& sync);
+  // What the call says takes effect; then it waits.
+  void Enter(const std::shared_ptr<WorkerSync>& sync, std::vector<ResultIntake::Report> reports);
+  absl::Status TakeAll(WorkerSync& sync, std::vector<ResultIntake::Report> reports, ClusterLock& lock);
+  bool TryToAnswer(const std::shared_ptr<WorkerSync>& sync);
+  void Give(std::vector<Answer> answers);
   // Enters them in the state. Gives the lock up while it deletes files of results that are not accepted.
   void TakeResults(const v1::SyncRequest& request, std::vector<ResultIntake::Report> reports, ClusterLock& lock,
                    v1::SyncResponse& response);
@@ -41,9 +61,8 @@ class WorkHandler {
   std::vector<std::string> TakeSeen(const v1::SyncRequest& request);
   void FailJobsThatAreGone(const std::vector<std::string>& jobs);
   void RenewHeld(const v1::SyncRequest& request);
-  // Waits until there is news for the worker and writes it down; kAborted if a newer call took over.
-  absl::Status AwaitNews(const v1::SyncRequest& request, const std::function<bool()>& alive, ClusterLock& lock,
-                         v1::SyncResponse& response);
+  // The end of the call, if it has come to it: with news for the worker, or kAborted if a newer call took over.
+  std::optional<absl::Status> EndOf(WorkerSync& sync);
   void TellState(const v1::SyncRequest& request, v1::SyncResponse& response);
   void TellToLook(const v1::SyncRequest& request, v1::SyncResponse& response) const;
   void LeaseTasks(const std::string& worker);
@@ -52,6 +71,10 @@ class WorkHandler {
   StateUpdates& updates_;
   const JobJournal& journal_;
   ResultIntake results_;
+  LongCalls calls_;
+  Crew<Answer> answers_;
+  WaitingSyncs waiting_;
+  Crew<std::shared_ptr<WorkerSync>> checks_;
 };
 
 }  // namespace tilemend

@@ -6,6 +6,7 @@
 #ifndef TILEMEND_COORDINATOR_JOBS_CLUSTER_H_
 #define TILEMEND_COORDINATOR_JOBS_CLUSTER_H_
 
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <map>
@@ -62,6 +63,27 @@ struct WorkerCaller {
 
 using ClusterLock = std::unique_lock<std::mutex>;
 
+// Wakes the one thread that looks after all calls which wait for some kind of change. With the lock held.
+class ChangeSignal {
+ public:
+  void notify_all() {
+    ++count_;
+    changed_.notify_all();
+  }
+  // How often it was told of a change.
+  uint64_t count() const { return count_; }
+  // Ends a wait although nothing has changed.
+  void Wake() { changed_.notify_all(); }
+  // Waits for a change after the first `seen`, or until `deadline`, or less.
+  void WaitUntil(ClusterLock& lock, uint64_t seen, std::chrono::steady_clock::time_point deadline) {
+    if (count_ == seen) changed_.wait_until(lock, deadline);
+  }
+
+ private:
+  uint64_t count_ = 0;
+  std::condition_variable changed_;
+};
+
 // The methods need the lock, except for the constructor and StopWaiting.
 struct Cluster {
   // `start` has a clock and a journal.
@@ -82,9 +104,9 @@ struct Cluster {
   const std::shared_ptr<Journal> journal;
   CoordinatorMetrics metrics;
 
-  std::mutex mutex;                      // guards all below
-  std::condition_variable work_changed;  // tasks were added or leases ended, or another call of a worker came
-  std::condition_variable job_changed;
+  std::mutex mutex;           // guards all below
+  ChangeSignal work_changed;  // tasks were added or leases ended
+  ChangeSignal job_changed;
   std::condition_variable stop_changed;
   bool stopping = false;
   ClusterEvents events;

@@ -6,8 +6,8 @@
 BIN has tilemend, tilemend-coordinator, tilemend-worker and tilemend-make-scene. With a descriptor limit of 64: 500 idle
 connections; with one of 1,024: `connections` at once. After each the coordinator must serve again within `most-seconds`,
 also while they stay open and say nothing. Then messages that are too long and calls that are only begun, which must
-not be kept in memory, and calls whose answers nobody reads, which must end. Then `watches` of one job, whose threads are
-counted, and ten times more submissions than capacity, while `get` is timed: `gets` times, a process each, with
+not be kept in memory, and calls whose answers nobody reads, which must end. Then `watches` of one job, which must hold no
+threads, and ten times more submissions than capacity, while `get` is timed: `gets` times, a process each, with
 submissions going on, and 99 of 100 may take `most-ms` at most. Prints its figures. Exit code 1 if anything was not so.
 """
 import argparse
@@ -26,6 +26,7 @@ from raw_calls import LongCall, begun_calls, unread_calls
 
 MAX_JOBS = 8
 SUBMITTERS = 4
+MOST_NEW_THREADS = 8  # of gRPC itself
 
 
 def start(bench, descriptors):
@@ -117,21 +118,26 @@ def leave_unread(bench, most):
     return took
 
 
+def descriptors_of(bench):
+    return len(os.listdir(f'/proc/{bench.coordinator.pid}/fd'))
+
+
 def watch_often(bench, scene, count, most):
     start(bench, 4096)
     made = bench.client('submit', scene, '--out', os.path.join(bench.folder, 'watched'))
     require(made.returncode == 0, made.stderr)
     name = next(word for word in made.stdout.replace('\n', ' ').split() if word.startswith('jobs/'))
-    before = status_of(bench, 'Threads:')
+    before, open_before = status_of(bench, 'Threads:'), descriptors_of(bench)
     watches = [subprocess.Popen([bench.program('tilemend'), 'watch', name, '--coordinator', bench.address],
                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) for _ in range(count)]
-    await_('the watches', lambda: status_of(bench, 'Threads:') >= before + count)
+    await_('the watches', lambda: descriptors_of(bench) >= open_before + count)
     threads, memory = status_of(bench, 'Threads:') - before, status_of(bench, 'VmRSS:') // 1024
     took = served_after(bench)
     for watch in watches:
         watch.send_signal(signal.SIGKILL)
         watch.wait()
     require(took <= most, f'{count} watches: served after {took:.1f} s')
+    require(threads <= MOST_NEW_THREADS, f'{count} watches: {threads} threads more')
     bench.client('cancel', name)
     await_('the job to be over', lambda: 'ended' in (bench.get(name) or {}))
     return threads, memory

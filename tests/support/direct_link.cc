@@ -9,6 +9,7 @@
 
 #include "common/rpc/limits.h"
 #include "common/util/status_macros.h"
+#include "tests/support/waiting_sync.h"
 
 namespace tilemend {
 namespace {
@@ -47,7 +48,7 @@ class DirectSyncCall : public SyncCall {
         std::lock_guard<std::mutex> lock(exchange->mutex);
         return !exchange->interrupted;
       };
-      auto response = coordinator.calls().work.Sync(request, alive);
+      auto response = SyncAndWait(coordinator.calls().work, request, alive);
       std::lock_guard<std::mutex> lock(exchange->mutex);
       exchange->response = std::move(response);
       exchange->changed.notify_all();

@@ -13,6 +13,7 @@
 #include "absl/strings/strip.h"
 #include "coordinator/journal/sqlite_journal.h"
 #include "tests/support/direct_link.h"
+#include "tests/support/waiting_watch.h"
 
 namespace tilemend {
 namespace {
@@ -136,13 +137,10 @@ v1::Job TestCluster::WaitFor(const std::string& name) {
   v1::WatchJobRequest request;
   request.set_name(name);
   v1::Job last;
-  const absl::Status status = coordinator_->calls().watch.WatchJob(
-      request,
-      [&last](const v1::Job& job) {
-        last = job;
-        return true;
-      },
-      [] { return absl::OkStatus(); });
+  const absl::Status status = WatchAndWait(coordinator_->calls().watch, request, [&last](const v1::Job& job) {
+    last = job;
+    return true;
+  });
   EXPECT_TRUE(status.ok()) << status;
   return last;
 }

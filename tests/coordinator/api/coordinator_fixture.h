@@ -12,6 +12,7 @@
 
 #include "common/rpc/limits.h"
 #include "tests/support/test_cluster.h"
+#include "tests/support/waiting_sync.h"
 
 namespace tilemend {
 
@@ -61,7 +62,7 @@ class CoordinatorTest : public ::testing::Test {
     return request;
   }
   v1::SyncResponse Sync(const v1::SyncRequest& request) {
-    auto response = cluster_.coordinator().calls().work.Sync(request, [] { return true; });
+    auto response = SyncAndWait(cluster_.coordinator().calls().work, request);
     EXPECT_TRUE(response.ok()) << response.status();
     return response.ok() ? *std::move(response) : v1::SyncResponse();
   }

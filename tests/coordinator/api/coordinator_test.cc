@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/coordinator/api/coordinator_fixture.h"
+#include "tests/support/waiting_sync.h"
 
 namespace tilemend {
 namespace {
@@ -18,7 +19,7 @@ TEST(CoordinatorOptionsTest, RefusesALeaseShorterThanTwoCalls) {
 
 TEST_F(CoordinatorTest, NobodyWaitsOnceItEnds) {
   coordinator_.StopWaiting();
-  EXPECT_TRUE(absl::IsUnavailable(calls_.work.Sync(NewSync(), [] { return true; }).status()));
+  EXPECT_TRUE(absl::IsUnavailable(SyncAndWait(calls_.work, NewSync()).status()));
 }
 
 }  // namespace

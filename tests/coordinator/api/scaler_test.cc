@@ -11,6 +11,7 @@
 #include "common/util/error_info.h"
 #include "externalscaler/externalscaler.grpc.pb.h"
 #include "tests/coordinator/api/coordinator_fixture.h"
+#include "tests/support/waiting_watch.h"
 
 namespace tilemend {
 namespace {
@@ -98,7 +99,7 @@ class ScalerOverGrpcTest : public CoordinatorTest {
     v1::WatchJobRequest watch;
     watch.set_name(job.name());
     const auto until_they_are_there = [&](const v1::Job& now) { return now.progress().tasks() < cells; };
-    EXPECT_TRUE(absl::IsCancelled(calls_.watch.WatchJob(watch, until_they_are_there, [] { return absl::OkStatus(); })));
+    EXPECT_TRUE(absl::IsCancelled(WatchAndWait(calls_.watch, watch, until_they_are_there)));
     return job;
   }
 

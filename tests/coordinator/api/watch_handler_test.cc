@@ -7,13 +7,12 @@
 
 #include "common/util/error_info.h"
 #include "tests/coordinator/api/coordinator_fixture.h"
+#include "tests/support/waiting_watch.h"
 
 namespace tilemend {
 namespace {
 
 using WatchHandlerTest = CoordinatorTest;
-
-absl::Status Always() { return absl::OkStatus(); }
 
 TEST_F(WatchHandlerTest, EndsWithTheJob) {
   v1::CancelJobRequest cancel;
@@ -25,16 +24,14 @@ TEST_F(WatchHandlerTest, EndsWithTheJob) {
     told.push_back(job.state());
     return calls_.jobs.CancelJob(cancel).ok();
   };
-  EXPECT_TRUE(calls_.watch.WatchJob(watch, send, Always).ok());
+  EXPECT_TRUE(WatchAndWait(calls_.watch, watch, send).ok());
   EXPECT_EQ(told, (std::vector<v1::JobState>{v1::RUNNING, v1::CANCELLED}));
 }
 
 TEST_F(WatchHandlerTest, KnowsItsJobs) {
   v1::WatchJobRequest watch;
   watch.set_name("jobs/none");
-  EXPECT_EQ(ErrorReason(calls_.watch.WatchJob(
-                watch, [](const v1::Job&) { return true; }, Always)),
-            "JOB_NOT_FOUND");
+  EXPECT_EQ(ErrorReason(WatchAndWait(calls_.watch, watch, [](const v1::Job&) { return true; })), "JOB_NOT_FOUND");
 }
 
 TEST_F(WatchHandlerTest, TellsWhenThereIsSomethingToDo) {
@@ -44,7 +41,7 @@ TEST_F(WatchHandlerTest, TellsWhenThereIsSomethingToDo) {
     if (!active) cluster_.Submit("toy://2x1");
     return !active;
   };
-  EXPECT_TRUE(absl::IsCancelled(calls_.watch.WatchDemand(send, Always)));
+  EXPECT_TRUE(absl::IsCancelled(WatchDemandAndWait(calls_.watch, send)));
   EXPECT_EQ(told, (std::vector<bool>{false, true}));
 }
 
@@ -53,12 +50,12 @@ TEST_F(WatchHandlerTest, EndsWhenItsCallerMayNotWatchAnyMore) {
   watch.set_name(cluster_.Submit("toy://2x1").name());
   const auto send = [](const v1::Job&) { return true; };
   EXPECT_TRUE(absl::IsUnauthenticated(
-      calls_.watch.WatchJob(watch, send, [] { return absl::UnauthenticatedError("the token has expired"); })));
+      WatchAndWait(calls_.watch, watch, send, [] { return absl::UnauthenticatedError("the token has expired"); })));
 }
 
 TEST_F(WatchHandlerTest, EndsWithTheCoordinator) {
   coordinator_.StopWaiting();
-  EXPECT_TRUE(absl::IsUnavailable(calls_.watch.WatchDemand([](bool) { return true; }, Always)));
+  EXPECT_TRUE(absl::IsUnavailable(WatchDemandAndWait(calls_.watch, [](bool) { return true; })));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "coordinator/store/blob_folder.h"
 #include "tests/coordinator/api/coordinator_fixture.h"
 #include "tests/support/list_log.h"
+#include "tests/support/waiting_sync.h"
 
 namespace tilemend {
 namespace {
@@ -57,14 +58,14 @@ TEST_F(WorkHandlerTest, AnInputThatWasLostIsNotTakenForAnEmptyOne) {
 TEST_F(WorkHandlerTest, LeasesNothingToAWorkerThatIsGone) {
   ASSERT_TRUE(calls_.jobs.CreateJob(NewRequest()).ok());
   AwaitTask("first");
-  EXPECT_TRUE(absl::IsCancelled(calls_.work.Sync(NewSync("gone"), [] { return false; }).status()));
+  EXPECT_TRUE(absl::IsCancelled(SyncAndWait(calls_.work, NewSync("gone"), [] { return false; }).status()));
   EXPECT_EQ(AwaitTask("second").ref().task(), 2);
 }
 
 TEST_F(WorkHandlerTest, RefusesAnotherProtocol) {
   v1::SyncRequest request = NewSync();
   request.set_protocol(kProtocolVersion + 1);
-  EXPECT_EQ(ErrorReason(calls_.work.Sync(request, [] { return true; }).status()), "PROTOCOL_VERSION");
+  EXPECT_EQ(ErrorReason(SyncAndWait(calls_.work, request).status()), "PROTOCOL_VERSION");
 }
 
 TEST(WorkLogTest, NamesAWorkerOfAnotherProtocolWhateverItSays) {
@@ -76,7 +77,7 @@ TEST(WorkLogTest, NamesAWorkerOfAnotherProtocolWhateverItSays) {
   request.set_protocol(kProtocolVersion - 1);
   request.set_worker("old-" + std::string(5000, 'w'));
   request.set_threads(-1);
-  const absl::Status refused = cluster.coordinator().calls().work.Sync(request, [] { return true; }).status();
+  const absl::Status refused = SyncAndWait(cluster.coordinator().calls().work, request).status();
   EXPECT_EQ(ErrorReason(refused), "PROTOCOL_VERSION");
   EXPECT_LT(refused.message().size(), 500U);
   ASSERT_EQ(log.lines().size(), 1U);
@@ -97,7 +98,7 @@ TEST(WorkLogTest, NamesAWorkerOfAnotherBuild) {
   request.set_threads(1);
   request.set_build("bbbb");
   const auto alive = [] { return true; };
-  const absl::Status refused = cluster.coordinator().calls().work.Sync(request, alive).status();
+  const absl::Status refused = SyncAndWait(cluster.coordinator().calls().work, request, alive).status();
   EXPECT_EQ(ErrorReason(refused), "OTHER_BUILD");
   EXPECT_THAT(std::string(refused.message()),
               StartsWith("worker w is of build bbbb (0.0.9), this coordinator of aaaa"));
@@ -105,7 +106,7 @@ TEST(WorkLogTest, NamesAWorkerOfAnotherBuild) {
   EXPECT_THAT(log.lines().front(), StartsWith("warning worker refused worker=w worker_release=0.0.9"));
   EXPECT_TRUE(cluster.coordinator().calls().cluster.ListWorkers({})->workers().empty());
   request.set_build("aaaa");
-  EXPECT_TRUE(cluster.coordinator().calls().work.Sync(request, alive).ok());
+  EXPECT_TRUE(SyncAndWait(cluster.coordinator().calls().work, request, alive).ok());
 }
 
 TEST_F(WorkHandlerTest, ReleasesADrainingWorker) {
@@ -138,7 +139,7 @@ TEST_F(WorkHandlerTest, AWorkersNameIsItsOwn) {
   for (const char* secret : {"", "guessed"}) {
     v1::SyncRequest stranger = NewSync();
     stranger.set_secret(secret);
-    EXPECT_EQ(ErrorReason(calls_.work.Sync(stranger, [] { return true; }).status()), "WORKER_SECRET");
+    EXPECT_EQ(ErrorReason(SyncAndWait(calls_.work, stranger).status()), "WORKER_SECRET");
   }
   first.set_sequence(++sequence_);
   Sync(first);
@@ -146,13 +147,13 @@ TEST_F(WorkHandlerTest, AWorkersNameIsItsOwn) {
 
 TEST_F(WorkHandlerTest, RefusesNamesWithoutEnd) {
   v1::SyncRequest talker = NewSync(std::string(257, 'w'));
-  EXPECT_TRUE(absl::IsInvalidArgument(calls_.work.Sync(talker, [] { return true; }).status()));
+  EXPECT_TRUE(absl::IsInvalidArgument(SyncAndWait(calls_.work, talker).status()));
   talker = NewSync();
   talker.set_secret(std::string(257, 's'));
-  EXPECT_TRUE(absl::IsInvalidArgument(calls_.work.Sync(talker, [] { return true; }).status()));
+  EXPECT_TRUE(absl::IsInvalidArgument(SyncAndWait(calls_.work, talker).status()));
   talker = NewSync();
   talker.set_release(std::string(257, 'r'));
-  EXPECT_TRUE(absl::IsInvalidArgument(calls_.work.Sync(talker, [] { return true; }).status()));
+  EXPECT_TRUE(absl::IsInvalidArgument(SyncAndWait(calls_.work, talker).status()));
 }
 
 class LookingWorkerTest : public CoordinatorTest {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tests/coordinator/api/coordinator_fixture.h"
+#include "tests/support/waiting_watch.h"
 
 namespace tilemend {
 namespace {
@@ -19,7 +20,7 @@ TEST_F(DescribeJobTest, SaysThatAJobWaitsForWorkers) {
   watch.set_name(job.name());
   std::string waiting;
   const auto until_it_waits = [&waiting](const v1::Job& now) { return (waiting = now.waiting()).empty(); };
-  EXPECT_TRUE(absl::IsCancelled(calls_.watch.WatchJob(watch, until_it_waits, [] { return absl::OkStatus(); })));
+  EXPECT_TRUE(absl::IsCancelled(WatchAndWait(calls_.watch, watch, until_it_waits)));
   EXPECT_EQ(waiting, "no worker is connected");
   AwaitTask();
   EXPECT_EQ(cluster_.Get(job.name()).waiting(), "");

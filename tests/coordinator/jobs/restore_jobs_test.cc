@@ -14,6 +14,7 @@
 #include "coordinator/journal/sqlite_journal_file.h"
 #include "tests/coordinator/jobs/restart_fixture.h"
 #include "tests/support/test_cluster.h"
+#include "tests/support/waiting_sync.h"
 
 namespace tilemend {
 namespace {
@@ -171,7 +172,7 @@ TEST(RestoreJobsTest, AResultOfTheTimeBeforeIsRefused) {
   v1::SyncResponse response;
   while (response.start().empty()) {
     request.set_sequence(request.sequence() + 1);
-    response = *cluster.coordinator().calls().work.Sync(request, alive);
+    response = *SyncAndWait(cluster.coordinator().calls().work, request, alive);
   }
   const v1::TaskRef old = response.start(0).ref();
   cluster.Restart();
@@ -182,7 +183,7 @@ TEST(RestoreJobsTest, AResultOfTheTimeBeforeIsRefused) {
   response.Clear();
   while (response.start().empty()) {
     request.set_sequence(request.sequence() + 1);
-    response = *cluster.coordinator().calls().work.Sync(request, alive);
+    response = *SyncAndWait(cluster.coordinator().calls().work, request, alive);
   }
   EXPECT_NE(response.start(0).ref().attempt_token(), old.attempt_token());
   EXPECT_EQ(cluster.Get(name).progress().tasks_done(), 0);
@@ -312,20 +313,21 @@ TEST(RestoreJobsTest, WhoWasSetAsideStaysSo) {
   const std::string name = cluster.Submit("toy://1x1").name();
   while (response.start().empty()) {
     request.set_sequence(request.sequence() + 1);
-    response = *cluster.coordinator().calls().work.Sync(request, alive);
+    response = *SyncAndWait(cluster.coordinator().calls().work, request, alive);
   }
   v1::FinishedTask& finished = *request.add_finished();
   *finished.mutable_ref() = response.start(0).ref();
   finished.mutable_output()->set_content("lie");
   finished.mutable_output()->set_size(3);
   request.set_sequence(request.sequence() + 1);
-  EXPECT_EQ(cluster.coordinator().calls().work.Sync(request, alive)->set_aside(), "") << "nobody is known to do better";
+  EXPECT_EQ(SyncAndWait(cluster.coordinator().calls().work, request, alive)->set_aside(), "")
+      << "nobody is known to do better";
   cluster.AddWorker("good");
   EXPECT_EQ(cluster.WaitFor(name).state(), v1::DONE);
   cluster.Restart();
   request.clear_finished();
   request.set_sequence(request.sequence() + 1);
-  response = *cluster.coordinator().calls().work.Sync(request, alive);
+  response = *SyncAndWait(cluster.coordinator().calls().work, request, alive);
   EXPECT_NE(response.set_aside().find("a lie"), std::string::npos) << response.set_aside();
 }
 
