@@ -98,7 +98,6 @@ absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, const Means& means,
   worker_options.id = "embedded";
   worker_options.threads = means.threads;
   worker_options.prefetch = 2 * means.threads;  // the only worker
-  worker_options.discard = DiscardSceneOutput;
   // Out of reach in the same process: it has no thread for the calls.
   worker_options.patience = absl::Seconds(10);
   v1::CancelJobRequest cancel;

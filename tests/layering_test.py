@@ -218,7 +218,7 @@ RULES = {
     'coordinator/api': rule(
         ['common/util', 'common/options', 'common/store', 'common/metrics', 'common/rpc', 'coordinator/state', 'coordinator/journal',
          'coordinator/store', 'coordinator/jobs'],
-        ['absl', 'protobuf']),
+        ['absl', 'grpc', 'protobuf']),
 
     'coordinator/web': rule(
         ['common/util', 'common/http', 'common/grid', 'common/rpc', 'common/store', 'coordinator/api', 'coordinator/report'], ['absl', 'json', 'protobuf']),

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "absl/strings/str_split.h"
 #include "common/metrics/process_metrics.h"
 #include "common/metrics/prometheus_registry.h"
 #include "common/metrics/status_server.h"
@@ -134,7 +133,6 @@ absl::Status Work(const Flags& flags, WorkerOptions options, int64_t task_memory
   TILEMEND_ASSIGN_OR_RETURN(const LogFormat format, LogFormatNamed(flags.Text("log"), stderr));
   StreamLog log(stderr, format, {{"program", kProgram}, {"release", Version()}, {"worker", options.id}});
   options.log = &log;
-  options.discard = DiscardSceneOutput;
   KeepHeap(options.threads);
   log.Info("starting",
            {{"coordinator", flags.Text("coordinator")}, {"threads", options.threads}, {"build", options.build}});

@@ -9,17 +9,9 @@
 #include "coordinator/state/demand.h"
 
 namespace tilemend {
-namespace {
-
-constexpr std::chrono::milliseconds kWatchInterval(50);
-
-// Some 20 kB each.
-constexpr size_t kMostWatches = 4096;
-
-}  // namespace
 
 // Belongs to the thread once it has been told of it. It counts as a call as long as anybody knows it.
-class WatchHandler::Watch {
+class Watch {
  public:
   explicit Watch(Watcher& to) : watcher(to) {}
 
@@ -33,6 +25,66 @@ class WatchHandler::Watch {
   std::unique_ptr<LongCalls::Call> call;
 };
 
+namespace {
+
+using SteadyTime = std::chrono::steady_clock::time_point;
+
+constexpr std::chrono::milliseconds kWatchInterval(50);
+
+// Some 20 kB each.
+constexpr size_t kMostWatches = 4096;
+
+// Whether there is news. With the lock.
+bool LookAtDemand(const Cluster& cluster, WatchTopic& topic) {
+  const bool active = DemandOf(cluster.state).jobs > 0;
+  if (topic.news && topic.news->active == active) return false;
+  topic.news = WatchNews{topic.news ? topic.news->number + 1 : 1, false, nullptr, active};
+  return true;
+}
+
+// Likewise. `next_look` becomes earlier if news wait.
+bool LookAtJob(const Cluster& cluster, const std::string& name, WatchTopic& topic, SteadyTime now,
+               SteadyTime& next_look) {
+  const auto job = cluster.JobNamed(name);
+  topic.error = job.status();
+  if (!job.ok()) return true;
+  const bool over = IsOver((*job)->state);
+  if (topic.news && (topic.news->is_last || (*job)->version <= topic.news->number)) return false;
+  if (!over && now < topic.next) {
+    next_look = std::min(next_look, topic.next);
+    return false;
+  }
+  auto message = std::make_shared<const v1::Job>(DescribeJob(cluster, **job));
+  topic.news = WatchNews{message->cursor(), over, message};
+  topic.next = now + kWatchInterval;
+  return true;
+}
+
+std::optional<absl::Status> MayNotGoOn(Watch& watch) {
+  absl::Status status = watch.watcher.GoOn();
+  return status.ok() ? std::nullopt : std::optional(std::move(status));
+}
+
+// What is known was told before, and an end that is known is the end.
+std::optional<absl::Status> LeftByTheCoordinator(Watch& watch) {
+  if (watch.has_last) return std::nullopt;
+  return absl::UnavailableError(watch.topic.empty()
+                                    ? "the coordinator is shutting down"
+                                    : "the coordinator is shutting down; watch again with the last cursor");
+}
+
+void Deliver(Watch& watch, const WatchTopic& topic, absl::Time now) {
+  if (watch.is_sending || !topic.news) return;
+  if (topic.news->number <= watch.cursor && !topic.news->is_last) return;
+  watch.cursor = topic.news->number;
+  watch.is_sending = true;
+  watch.has_last = topic.news->is_last;
+  watch.call->Touch(now);
+  watch.watcher.Send(*topic.news);
+}
+
+}  // namespace
+
 WatchHandler::WatchHandler(Cluster& cluster)
     : cluster_(cluster), watches_(kMostWatches, LongCalls::WhenFull::kStopOldest), thread_([this] { Run(); }) {}
 
@@ -45,9 +97,7 @@ WatchHandler::~WatchHandler() {
   thread_.join();
 }
 
-std::shared_ptr<WatchHandler::Watch> WatchHandler::NewWatch(Watcher& watcher) {
-  return std::make_shared<Watch>(watcher);
-}
+std::shared_ptr<Watch> NewWatch(Watcher& watcher) { return std::make_shared<Watch>(watcher); }
 
 absl::Status WatchHandler::WatchJob(const v1::WatchJobRequest& request, const std::shared_ptr<Watch>& watch) {
   {
@@ -90,19 +140,19 @@ void WatchHandler::Run() {
     posts.clear();  // without the lock: the last to know a watch takes that of its call
     const SteadyTime now = std::chrono::steady_clock::now();
     if (now >= next_question) {
-      AskAll();
+      EndWhere(MayNotGoOn);
       next_question = now + absl::ToChronoMilliseconds(kMaxPoll);
     }
     lock.lock();
     const uint64_t seen = cluster_.job_changed.count();
     const bool stops = cluster_.stopping;
-    const std::vector<std::string> changed = Look(now);
+    const Found found = Look(now);
     lock.unlock();
-    HandOut(changed);
-    if (stops) EndAll();
+    HandOut(found.changed);
+    if (stops) EndWhere(LeftByTheCoordinator);
     lock.lock();
     if (quits_ && topics_.empty() && posts_.empty()) return;
-    if (posts_.empty()) cluster_.job_changed.WaitUntil(lock, seen, std::min(next_question, next_look_));
+    if (posts_.empty()) cluster_.job_changed.WaitUntil(lock, seen, std::min(next_question, found.next_look));
   }
 }
 
@@ -118,39 +168,17 @@ void WatchHandler::Take(const std::shared_ptr<Watch>& watch, Post post) {
     if (watch->has_last) watch->leaves = absl::OkStatus();
   }
   if (!watch->lives) return;  // not yet, or no more
-  watch->leaves ? End(watch, *watch->leaves) : Deliver(*watch, topics_.at(watch->topic));
+  watch->leaves ? End(watch, *watch->leaves) : Deliver(*watch, topics_.at(watch->topic), cluster_.options.clock());
 }
 
-std::vector<std::string> WatchHandler::Look(SteadyTime now) {
-  next_look_ = SteadyTime::max();
-  std::vector<std::string> changed;
+WatchHandler::Found WatchHandler::Look(SteadyTime now) {
+  Found found;
   for (auto& [name, topic] : topics_) {
-    if (name.empty() ? LookAtDemand(topic) : LookAtJob(name, topic, now)) changed.push_back(name);
+    const bool has_news =
+        name.empty() ? LookAtDemand(cluster_, topic) : LookAtJob(cluster_, name, topic, now, found.next_look);
+    if (has_news) found.changed.push_back(name);
   }
-  return changed;
-}
-
-bool WatchHandler::LookAtDemand(Topic& topic) const {
-  const bool active = DemandOf(cluster_.state).jobs > 0;
-  if (topic.news && topic.news->active == active) return false;
-  topic.news = WatchNews{topic.news ? topic.news->number + 1 : 1, false, nullptr, active};
-  return true;
-}
-
-bool WatchHandler::LookAtJob(const std::string& name, Topic& topic, SteadyTime now) {
-  const auto job = cluster_.JobNamed(name);
-  topic.error = job.status();
-  if (!job.ok()) return true;
-  const bool over = IsOver((*job)->state);
-  if (topic.news && (topic.news->is_last || (*job)->version <= topic.news->number)) return false;
-  if (!over && now < topic.next) {
-    next_look_ = std::min(next_look_, topic.next);
-    return false;
-  }
-  auto message = std::make_shared<const v1::Job>(DescribeJob(cluster_, **job));
-  topic.news = WatchNews{message->cursor(), over, message};
-  topic.next = now + kWatchInterval;
-  return true;
+  return found;
 }
 
 void WatchHandler::HandOut(const std::vector<std::string>& changed) {
@@ -159,7 +187,7 @@ void WatchHandler::HandOut(const std::vector<std::string>& changed) {
   for (const std::string& name : changed) {
     const auto topic = topics_.find(name);
     if (topic->second.error.ok()) {
-      for (const auto& watch : topic->second.watches) Deliver(*watch, topic->second);
+      for (const auto& watch : topic->second.watches) Deliver(*watch, topic->second, cluster_.options.clock());
       continue;
     }
     const absl::Status error = topic->second.error;
@@ -167,30 +195,12 @@ void WatchHandler::HandOut(const std::vector<std::string>& changed) {
   }
 }
 
-void WatchHandler::AskAll() {
-  for (const auto& watch : All()) {
-    if (const absl::Status status = watch->watcher.GoOn(); !status.ok()) End(watch, status);
+void WatchHandler::EndWhere(const std::function<std::optional<absl::Status>(Watch&)>& why) {
+  std::vector<std::shared_ptr<Watch>> all;
+  for (const auto& [name, topic] : topics_) all.insert(all.end(), topic.watches.begin(), topic.watches.end());
+  for (const auto& watch : all) {
+    if (const auto reason = why(*watch)) End(watch, *reason);
   }
-}
-
-// What is known is told before, and an end that is known is the end.
-void WatchHandler::EndAll() {
-  for (const auto& watch : All()) {
-    if (watch->has_last) continue;
-    End(watch, absl::UnavailableError(watch->topic.empty()
-                                          ? "the coordinator is shutting down"
-                                          : "the coordinator is shutting down; watch again with the last cursor"));
-  }
-}
-
-void WatchHandler::Deliver(Watch& watch, const Topic& topic) {
-  if (watch.is_sending || !topic.news) return;
-  if (topic.news->number <= watch.cursor && !topic.news->is_last) return;
-  watch.cursor = topic.news->number;
-  watch.is_sending = true;
-  watch.has_last = topic.news->is_last;
-  watch.call->Touch(cluster_.options.clock());
-  watch.watcher.Send(*topic.news);
 }
 
 void WatchHandler::End(const std::shared_ptr<Watch>& watch, const absl::Status& status) {
@@ -199,12 +209,6 @@ void WatchHandler::End(const std::shared_ptr<Watch>& watch, const absl::Status& 
   topic->second.watches.erase(watch);
   if (topic->second.watches.empty()) topics_.erase(topic);
   watch->watcher.End(status);
-}
-
-std::vector<std::shared_ptr<WatchHandler::Watch>> WatchHandler::All() const {
-  std::vector<std::shared_ptr<Watch>> all;
-  for (const auto& [name, topic] : topics_) all.insert(all.end(), topic.watches.begin(), topic.watches.end());
-  return all;
 }
 
 }  // namespace tilemend

@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -44,19 +45,28 @@ class Watcher {
   virtual void End(const absl::Status& status) = 0;
 };
 
+class Watch;  // one call
+
+// `watcher` must live until its End.
+std::shared_ptr<Watch> NewWatch(Watcher& watcher);
+
+// What is watched: a job, or the demand.
+struct WatchTopic {
+  std::optional<WatchNews> news;
+  std::chrono::steady_clock::time_point next = {};  // no further state before
+  absl::Status error;                               // why it cannot be watched any more
+  std::set<std::shared_ptr<Watch>> watches;
+};
+
 // Thread-safe. If too many watch, the one that has had no news for longest ends (OK) and makes room; its caller may
 // watch again. Watches end with kUnavailable when the coordinator ends.
 class WatchHandler {
  public:
-  class Watch;  // one call
-
   // `cluster` must outlive this.
   explicit WatchHandler(Cluster& cluster);
   // Every watch has ended: the coordinator waits no more.
   ~WatchHandler();
 
-  // `watcher` must live until its End.
-  static std::shared_ptr<Watch> NewWatch(Watcher& watcher);
   // Sends each state of the job as the message says. Ends when the job is over (OK), after Gone (kCancelled), and with
   // the error of GoOn. On an error here nothing of the watcher is ever called.
   absl::Status WatchJob(const v1::WatchJobRequest& request, const std::shared_ptr<Watch>& watch);
@@ -70,37 +80,29 @@ class WatchHandler {
  private:
   using SteadyTime = std::chrono::steady_clock::time_point;
   enum class Post { kNew, kSent, kGone, kGivesWay };
-  // What is watched: a job by its name, or the demand.
-  struct Topic {
-    std::optional<WatchNews> news;
-    SteadyTime next = {};  // no further state before
-    absl::Status error;    // why it cannot be watched any more
-    std::set<std::shared_ptr<Watch>> watches;
+  using Topics = std::map<std::string, WatchTopic>;  // by the job's name; the demand is ""
+  // What a look at the topics found.
+  struct Found {
+    std::vector<std::string> changed;          // topics with news
+    SteadyTime next_look = SteadyTime::max();  // news wait so long
   };
-  using Topics = std::map<std::string, Topic>;  // the demand is ""
 
   absl::Status Enter(const std::string& topic, uint64_t cursor, const std::shared_ptr<Watch>& watch);
   void Tell(std::shared_ptr<Watch> watch, Post post);  // takes the lock
   // All below on the thread alone; with the lock held where that says so.
   void Run();
   void Take(const std::shared_ptr<Watch>& watch, Post post);
-  // The topics with news. With the lock.
-  std::vector<std::string> Look(SteadyTime now);
-  bool LookAtDemand(Topic& topic) const;                                  // with the lock
-  bool LookAtJob(const std::string& name, Topic& topic, SteadyTime now);  // likewise
+  Found Look(SteadyTime now);  // with the lock
   void HandOut(const std::vector<std::string>& changed);
-  void AskAll();
-  void EndAll();
-  void Deliver(Watch& watch, const Topic& topic);
+  // Ends the watches for which `why` gives a reason.
+  void EndWhere(const std::function<std::optional<absl::Status>(Watch&)>& why);
   void End(const std::shared_ptr<Watch>& watch, const absl::Status& status);
-  std::vector<std::shared_ptr<Watch>> All() const;
 
   Cluster& cluster_;
   LongCalls watches_;
   std::vector<std::pair<std::shared_ptr<Watch>, Post>> posts_;  // guarded by the lock
   bool quits_ = false;                                          // likewise
-  Topics topics_;                                               // the thread's, as all below
-  SteadyTime next_look_ = SteadyTime::max();                    // a state waits so long
+  Topics topics_;                                               // the thread's
   std::thread thread_;                                          // last: it uses the others
 };
 

@@ -24,6 +24,17 @@
 
 namespace tilemend {
 
+template <class Message>
+std::shared_ptr<const Message> MessageOf(const WatchNews& news) {
+  if constexpr (std::is_same_v<Message, v1::Job>) {
+    return news.job;
+  } else {
+    auto message = std::make_shared<Message>();
+    message->set_result(news.active);
+    return message;
+  }
+}
+
 // Deletes itself when gRPC is done with the call.
 template <class Message>
 class WatchReactor : public grpc::ServerWriteReactor<Message>, private Watcher {
@@ -49,7 +60,7 @@ class WatchReactor : public grpc::ServerWriteReactor<Message>, private Watcher {
       std::lock_guard<std::mutex> lock(mutex_);
       is_writing_ = true;
     }
-    message_ = MessageOf(news);
+    message_ = MessageOf<Message>(news);
     this->StartWrite(message_.get());
   }
   void End(const absl::Status& status) override {
@@ -77,23 +88,13 @@ class WatchReactor : public grpc::ServerWriteReactor<Message>, private Watcher {
   void OnCancel() override { watches_.Gone(watch_); }
   void OnDone() override { delete this; }
 
-  static std::shared_ptr<const Message> MessageOf(const WatchNews& news) {
-    if constexpr (std::is_same_v<Message, v1::Job>) {
-      return news.job;
-    } else {
-      auto message = std::make_shared<Message>();
-      message->set_result(news.active);
-      return message;
-    }
-  }
-
   const Entrance& entrance_;
   WatchHandler& watches_;
   const grpc::CallbackServerContext& context_;
   const Peer peer_;
   const char* const rpc_;
   const absl::Time begin_ = absl::Now();
-  const std::shared_ptr<WatchHandler::Watch> watch_ = WatchHandler::NewWatch(*this);
+  const std::shared_ptr<Watch> watch_ = NewWatch(*this);
   std::shared_ptr<const Message> message_;  // that is being written
   std::mutex mutex_;                        // guards all below
   bool is_writing_ = false;

@@ -69,36 +69,6 @@ absl::Status CheckSync(const v1::SyncRequest& request) {
   return absl::OkStatus();
 }
 
-v1::TaskRef RefOf(const TaskKey& key, uint64_t token) {
-  v1::TaskRef ref;
-  ref.set_job(key.job);
-  ref.set_task(key.task);
-  ref.set_attempt_token(token);
-  return ref;
-}
-
-// Of an attempt. Nobody is to guess it.
-uint64_t NewToken() {
-  std::random_device random;
-  const uint64_t token = static_cast<uint64_t>(random()) << 32 | random();
-  return token == 0 ? 1 : token;
-}
-
-v1::Task TaskMessage(const TaskKey& key, const Task& task, const Lease& lease) {
-  v1::Task message;
-  *message.mutable_ref() = RefOf(key, lease.token);
-  message.mutable_cell()->set_col(task.cell.col);
-  message.mutable_cell()->set_row(task.cell.row);
-  message.set_stage(static_cast<v1::Stage>(task.stage));
-  message.set_attempt(task.attempts);
-  message.mutable_input()->set_digest(task.input);
-  return message;
-}
-
-bool IsSameCaller(const WorkerCaller& known, const v1::SyncRequest& request, const std::string& identity) {
-  return known.secret == request.secret() && known.identity == identity;
-}
-
 using InputFolders = std::map<std::string, std::shared_ptr<BlobFolder>>;  // by job
 
 // Needs the lock.
@@ -131,9 +101,8 @@ void InlineInputs(Cluster& cluster, const InputFolders& blobs, v1::SyncResponse&
 
 WorkHandler::WorkHandler(Cluster& cluster, StateUpdates& updates, const JobJournal& journal)
     : cluster_(cluster),
-      updates_(updates),
-      journal_(journal),
-      results_(cluster, updates),
+      reports_(cluster, updates),
+      news_(cluster, updates, journal),
       calls_(kMostSyncs),
       answers_(kAnswering, kMostSyncs, [this](std::vector<Answer> answers) { Give(std::move(answers)); }),
       waiting_(cluster, [this](const std::shared_ptr<WorkerSync>& sync) { return TryToAnswer(sync); }),
@@ -154,7 +123,7 @@ void WorkHandler::Sync(std::shared_ptr<WorkerSync> sync) {
   if (request.finished().empty() && request.seen().empty()) return Enter(sync, {});
   if (!request.finished().empty()) {
     const ClusterLock lock(cluster_.mutex);
-    StartCheck(*sync, 1);
+    reports_.CountChecks(*sync, 1);
   }
   checks_.Add(std::move(sync));
 }
@@ -172,65 +141,33 @@ absl::Status WorkHandler::Refusal(const v1::SyncRequest& request) {
   return other;
 }
 
-void WorkHandler::StartCheck(const WorkerSync& sync, int change) {
-  const auto caller = cluster_.callers.find(sync.request.worker());
-  if (caller == cluster_.callers.end() || !IsSameCaller(caller->second, sync.request, sync.identity)) return;
-  caller->second.calls = std::max(0, caller->second.calls + change);
-  // Its silence begins when it has been looked at.
-  const WorkerRecord* worker = cluster_.state.FindWorker(sync.request.worker());
-  if (worker == nullptr) return;
-  updates_.Apply(WorkerSeen{worker->id, worker->threads, worker->draining, cluster_.options.clock(), worker->prefetch})
-      .IgnoreError();
-  RenewHeld(sync.request);
-}
-
 void WorkHandler::Check(const std::shared_ptr<WorkerSync>& sync) {
   if (sync->request.finished().empty()) return Enter(sync, {});
   // Whoever has waited too long in the queue reports them again.
   std::vector<ResultIntake::Report> reports;
-  if (sync->alive()) reports = results_.Prepare(sync->request);
+  if (sync->alive()) reports = reports_.Check(sync->request);
   {
     const ClusterLock lock(cluster_.mutex);
-    StartCheck(*sync, -1);
+    reports_.CountChecks(*sync, -1);
   }
   Enter(sync, std::move(reports));
 }
 
 void WorkHandler::Enter(const std::shared_ptr<WorkerSync>& sync, std::vector<ResultIntake::Report> reports) {
   ClusterLock lock(cluster_.mutex);
-  const absl::Status status = TakeAll(*sync, std::move(reports), lock);
+  absl::Status status = reports_.TakeOver(sync->request, sync->identity);
+  if (status.ok()) {
+    waiting_.Look(sync->request.worker());  // an older call of this worker ends
+    status = reports_.Take(*sync, std::move(reports), lock);
+  }
   if (!status.ok()) return answers_.Add({sync, status});
   const absl::Duration wait = std::clamp(absl::Milliseconds(sync->request.wait_ms()), absl::ZeroDuration(), kMaxPoll);
   sync->deadline = std::chrono::steady_clock::now() + absl::ToChronoMilliseconds(wait);
   if (!TryToAnswer(sync)) waiting_.Add(sync);
 }
 
-absl::Status WorkHandler::TakeAll(WorkerSync& sync, std::vector<ResultIntake::Report> reports, ClusterLock& lock) {
-  const v1::SyncRequest& request = sync.request;
-  TILEMEND_RETURN_IF_ERROR(CheckSecret(request, sync.identity));
-  uint64_t& sequence = cluster_.callers[request.worker()].sequence;
-  sequence = std::max(sequence, request.sequence());
-  waiting_.Look(request.worker());  // an older call of this worker ends
-  const bool is_new = cluster_.state.FindWorker(request.worker()) == nullptr;
-  TILEMEND_RETURN_IF_ERROR(updates_
-                               .Apply(WorkerSeen{request.worker(), request.threads(), request.draining(),
-                                                 cluster_.options.clock(), request.prefetch()})
-                               .status());
-  if (is_new) {
-    cluster_.events.WorkerCame(*cluster_.state.FindWorker(request.worker()), request.release(), sync.identity);
-    cluster_.ShowMetrics();
-  }
-  TakeResults(request, std::move(reports), lock, sync.response);
-  if (const std::vector<std::string> unseen = TakeSeen(request); !unseen.empty()) {
-    lock.unlock();
-    FailJobsThatAreGone(unseen);
-    lock.lock();
-  }
-  return absl::OkStatus();
-}
-
 bool WorkHandler::TryToAnswer(const std::shared_ptr<WorkerSync>& sync) {
-  const std::optional<absl::Status> end = EndOf(*sync);
+  const std::optional<absl::Status> end = news_.EndOf(*sync);
   if (!end) return false;
   answers_.Add({sync, *end, end->ok() ? BlobsOf(cluster_, sync->response) : InputFolders()});
   return true;
@@ -246,149 +183,6 @@ void WorkHandler::Give(std::vector<Answer> answers) {
     }
     InlineInputs(cluster_, answer.blobs, answer.sync->response);
     answer.sync->answer(std::move(answer.sync->response));
-  }
-}
-
-void WorkHandler::TakeResults(const v1::SyncRequest& request, std::vector<ResultIntake::Report> reports,
-                              ClusterLock& lock, v1::SyncResponse& response) {
-  const std::vector<ResultIntake::Discarded> discarded = results_.Take(request.worker(), std::move(reports), response);
-  RenewHeld(request);
-  if (discarded.empty()) return;
-  lock.unlock();
-  ResultIntake::Remove(discarded);
-  lock.lock();
-}
-
-absl::Status WorkHandler::CheckSecret(const v1::SyncRequest& request, const std::string& identity) {
-  const WorkerCaller caller{0, request.secret(), request.release(), identity, cluster_.options.clock()};
-  const WorkerCaller& known = cluster_.callers.try_emplace(request.worker(), caller).first->second;
-  if (IsSameCaller(known, request, identity)) return absl::OkStatus();
-  return WithErrorInfo(
-      absl::PermissionDeniedError(absl::StrCat("another process is worker ", Printable(request.worker()))),
-      {"WORKER_SECRET", {}});
-}
-
-std::vector<std::string> WorkHandler::TakeSeen(const v1::SyncRequest& request) {
-  std::vector<std::string> unseen;
-  std::set<std::string> told;
-  for (const v1::FoldersSeen& seen : request.seen()) {
-    if (!told.insert(seen.job()).second) continue;  // a worker says it once
-    const auto warning = cluster_.trust.TakeSeen(request.worker(), seen, cluster_.options.clock());
-    if (!warning) continue;
-    updates_.Warn(seen.job(), *warning);
-    cluster_.events.WorkerBlind(request.worker(), seen.job(), *warning);
-    unseen.push_back(seen.job());
-  }
-  cluster_.metrics.ShowTrust(cluster_.trust.set_aside(), cluster_.trust.blind());
-  return unseen;
-}
-
-// A job whose folders the coordinator does not see either any more, or where it cannot write, has no worker to wait
-// for.
-void WorkHandler::FailJobsThatAreGone(const std::vector<std::string>& jobs) {
-  for (const std::string& job : jobs) {
-    JobFolders folders;
-    {
-      ClusterLock lock(cluster_.mutex);
-      const JobFolders* known = cluster_.trust.FoldersOf(job);
-      if (known == nullptr) continue;
-      folders = *known;
-    }
-    const absl::Status fault = TryFolders(folders);
-    if (fault.ok()) continue;
-    ClusterLock lock(cluster_.mutex);
-    const auto entry = cluster_.jobs.find(job);
-    if (entry == cluster_.jobs.end() || entry->second.runner == nullptr) continue;
-    entry->second.runner->Fail(fault);
-  }
-}
-
-void WorkHandler::RenewHeld(const v1::SyncRequest& request) {
-  const absl::Time deadline = cluster_.options.clock() + cluster_.options.lease;
-  const std::set<uint64_t> begun(request.begun().begin(), request.begun().end());
-  for (const v1::TaskRef& ref : request.held()) {
-    const uint64_t token = ref.attempt_token();
-    // Fails if the lease was lost; TellState then leaves the task out.
-    updates_.Apply(LeaseRenewed{KeyOf(ref), request.worker(), token, deadline, begun.contains(token)}).IgnoreError();
-  }
-  for (const v1::FinishedTask& finished : request.finished()) {  // whose results are not taken yet
-    const v1::TaskRef& ref = finished.ref();
-    updates_.Apply(LeaseRenewed{KeyOf(ref), request.worker(), ref.attempt_token(), deadline, true}).IgnoreError();
-  }
-}
-
-std::optional<absl::Status> WorkHandler::EndOf(WorkerSync& sync) {
-  const v1::SyncRequest& request = sync.request;
-  v1::SyncResponse& response = sync.response;
-  const auto caller = cluster_.callers.find(request.worker());
-  if (caller == cluster_.callers.end() || caller->second.sequence > request.sequence()) {
-    return absl::AbortedError("a newer call of this worker took over");
-  }
-  if (!sync.alive()) return absl::CancelledError("the worker went away");
-  if (request.draining() && request.held().empty()) {
-    updates_.Apply(WorkerLeft{request.worker()}).IgnoreError();
-    cluster_.ForgetWorker(request.worker());
-    cluster_.events.WorkerLeft(request.worker());
-    cluster_.ShowMetrics();
-    response.set_leave(true);
-    return absl::OkStatus();
-  }
-  TellState(request, response);
-  const bool news = response.start_size() > 0 || response.look_size() > 0 || response.acknowledged_size() > 0 ||
-                    response.keep_size() < request.held_size();
-  if (cluster_.stopping && !news) return absl::UnavailableError("the coordinator is shutting down");
-  if (news || std::chrono::steady_clock::now() >= sync.deadline) return absl::OkStatus();
-  return std::nullopt;
-}
-
-void WorkHandler::TellState(const v1::SyncRequest& request, v1::SyncResponse& response) {
-  response.clear_start();
-  response.clear_keep();
-  response.clear_look();
-  response.set_set_aside(cluster_.trust.WhySetAside(request.worker()));
-  if (!cluster_.stopping && !request.draining()) TellToLook(request, response);
-  if (!cluster_.stopping) LeaseTasks(request.worker());
-  const WorkerRecord* worker = cluster_.state.FindWorker(request.worker());
-  if (worker == nullptr) return;  // it was lost while it waited; its next call makes it known again
-  std::set<uint64_t> known;
-  for (const v1::TaskRef& ref : request.held()) {
-    const Task* task = cluster_.state.FindTask(KeyOf(ref));
-    if (task == nullptr || FindLease(*task, request.worker(), ref.attempt_token()) == nullptr) continue;
-    known.insert(ref.attempt_token());
-    *response.add_keep() = ref;
-  }
-  // Also what it was given before, if that answer was lost.
-  for (const TaskKey& key : worker->held) {
-    const Task& task = *cluster_.state.FindTask(key);
-    const Lease& lease = *LeaseOf(task, request.worker());
-    if (known.contains(lease.token)) continue;
-    v1::Task message = TaskMessage(key, task, lease);
-    message.set_trace(cluster_.jobs.at(key.job).origin.trace);
-    *response.add_start() = std::move(message);
-  }
-}
-
-void WorkHandler::TellToLook(const v1::SyncRequest& request, v1::SyncResponse& response) const {
-  std::set<std::string> busy;
-  for (const v1::FoldersSeen& seen : request.seen()) {
-    if (seen.looking()) busy.insert(seen.job());
-  }
-  for (v1::JobFolders& folders : cluster_.trust.ToLookAt(request.worker(), busy, cluster_.options.clock())) {
-    *response.add_look() = std::move(folders);
-  }
-}
-
-void WorkHandler::LeaseTasks(const std::string& worker) {
-  const absl::Time now = cluster_.options.clock();
-  for (const TaskKey& key : ChooseTasks(cluster_.state, worker, now, cluster_.MayWorkNow())) {
-    const Stage stage = cluster_.state.FindTask(key)->stage;
-    const Job& job = *cluster_.state.FindJob(key.job);
-    const bool starts = job.started == absl::InfiniteFuture();
-    if (!updates_.Apply(TaskLeased{key, worker, NewToken(), now, now + cluster_.options.lease}).ok()) continue;
-    cluster_.metrics.Started(stage);
-    if (!starts) continue;
-    journal_.PutJob(job, false);
-    cluster_.events.JobStarted(job, cluster_.jobs.at(key.job).origin);
   }
 }
 

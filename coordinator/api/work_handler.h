@@ -4,7 +4,6 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +12,8 @@
 #include "coordinator/api/long_calls.h"
 #include "coordinator/api/result_intake.h"
 #include "coordinator/api/waiting_syncs.h"
+#include "coordinator/api/worker_news.h"
+#include "coordinator/api/worker_reports.h"
 #include "coordinator/jobs/cluster.h"
 #include "coordinator/jobs/job_journal.h"
 #include "coordinator/jobs/state_updates.h"
@@ -42,35 +43,17 @@ class WorkHandler {
     std::map<std::string, std::shared_ptr<BlobFolder>> blobs = {};  // of the tasks in it, by job
   };
 
-  // All with the lock held, but Refusal, Check, FailJobsThatAreGone and Give.
   absl::Status Refusal(const v1::SyncRequest& request);
-  // However long it takes, the worker does not count as silent from StartCheck to its end.
-  void StartCheck(const WorkerSync& sync, int change);
   void Check(const std::shared_ptr<WorkerSync>& sync);
   // What the call says takes effect; then it waits.
   void Enter(const std::shared_ptr<WorkerSync>& sync, std::vector<ResultIntake::Report> reports);
-  absl::Status TakeAll(WorkerSync& sync, std::vector<ResultIntake::Report> reports, ClusterLock& lock);
+  // With the lock held.
   bool TryToAnswer(const std::shared_ptr<WorkerSync>& sync);
   void Give(std::vector<Answer> answers);
-  // Enters them in the state. Gives the lock up while it deletes files of results that are not accepted.
-  void TakeResults(const v1::SyncRequest& request, std::vector<ResultIntake::Report> reports, ClusterLock& lock,
-                   v1::SyncResponse& response);
-  // Whether another process has called itself so.
-  absl::Status CheckSecret(const v1::SyncRequest& request, const std::string& identity);
-  // Gives the jobs whose folders the worker does not see.
-  std::vector<std::string> TakeSeen(const v1::SyncRequest& request);
-  void FailJobsThatAreGone(const std::vector<std::string>& jobs);
-  void RenewHeld(const v1::SyncRequest& request);
-  // The end of the call, if it has come to it: with news for the worker, or kAborted if a newer call took over.
-  std::optional<absl::Status> EndOf(WorkerSync& sync);
-  void TellState(const v1::SyncRequest& request, v1::SyncResponse& response);
-  void TellToLook(const v1::SyncRequest& request, v1::SyncResponse& response) const;
-  void LeaseTasks(const std::string& worker);
 
   Cluster& cluster_;
-  StateUpdates& updates_;
-  const JobJournal& journal_;
-  ResultIntake results_;
+  WorkerReports reports_;
+  WorkerNews news_;
   LongCalls calls_;
   Crew<Answer> answers_;
   WaitingSyncs waiting_;

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "coordinator/plan/types/left_reasons.h"
+
 namespace tilemend {
 namespace {
 

@@ -32,7 +32,7 @@ class IdleWatcher : public Watcher {
 
   WatchHandler& watches_;
   std::atomic<int>& over_;
-  std::shared_ptr<WatchHandler::Watch> watch_ = WatchHandler::NewWatch(*this);
+  std::shared_ptr<Watch> watch_ = NewWatch(*this);
 };
 
 TEST(IdleWatchesTest, MakeRoomForANewOne) {

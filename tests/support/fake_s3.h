@@ -35,6 +35,7 @@ class FakeS3 : public testing::Test {
     };
     server_.Get(".*", handle);
     server_.Put(".*", handle);
+    server_.Delete(".*", handle);
     port_ = server_.bind_to_any_port("127.0.0.1");
     serving_ = std::thread([this] { server_.listen_after_bind(); });
     values_ = {{"AWS_ENDPOINT_URL", "http://127.0.0.1:" + std::to_string(port_)},
@@ -49,6 +50,7 @@ class FakeS3 : public testing::Test {
         1000, {3, absl::Milliseconds(1)});
   }
   void TearDown() override {
+    store_.reset();  // whose open connections the server would wait for
     server_.stop();
     serving_.join();
   }

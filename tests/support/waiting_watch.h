@@ -36,7 +36,7 @@ class WaitingWatch : private Watcher {
   const SendNews send_;
   const Question go_on_;
   const std::shared_ptr<std::promise<absl::Status>> end_ = std::make_shared<std::promise<absl::Status>>();
-  const std::shared_ptr<WatchHandler::Watch> watch_ = WatchHandler::NewWatch(*this);
+  const std::shared_ptr<Watch> watch_ = NewWatch(*this);
 };
 
 inline absl::Status AlwaysOk() { return absl::OkStatus(); }

@@ -23,6 +23,12 @@ TEST_F(S3StoreTest, ReadsOnceWhatDoesNotChange) {
   EXPECT_EQ(TextOf(*store_->Open("s3://city/a")), "world");
 }
 
+TEST_F(S3StoreTest, RemovesWhatIsNotThere) {
+  failures_ = 1;
+  failure_ = 404;
+  EXPECT_TRUE(store_->Remove("s3://city/a").ok());
+}
+
 TEST_F(S3StoreTest, SeesAnErrorInASuccess) {
   content_ = "<Error><Code>InternalError</Code></Error>";
   EXPECT_TRUE(absl::IsUnavailable(store_->Copy("s3://city/a", "s3://city/b")));
