@@ -76,7 +76,8 @@ class S3Store : public ObjectStore {
     bool has_any = below.key.empty();  // a bucket is there without an object, too
     std::map<std::string, std::string> query = {{"delimiter", "/"}, {"list-type", "2"}, {"prefix", prefix}};
     do {
-      TILEMEND_ASSIGN_OR_RETURN(const S3Answer answer, requests_.Send({"GET", {below.bucket, ""}, query}, folder));
+      TILEMEND_ASSIGN_OR_RETURN(const S3Answer answer,
+                                requests_.Send({.method = "GET", .path = {below.bucket, ""}, .query = query}, folder));
       TILEMEND_ASSIGN_OR_RETURN(S3Page page, ReadListing(answer.body, prefix));
       std::move(page.entries.begin(), page.entries.end(), std::back_inserter(entries));
       query["continuation-token"] = page.next;

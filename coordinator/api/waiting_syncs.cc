@@ -35,7 +35,7 @@ void WaitingSyncs::Look(const std::string& worker) {
 // Others get the lock between two calls.
 void WaitingSyncs::Run() {
   ClusterLock lock(cluster_.mutex);
-  uint64_t seen = cluster_.work_changed.count();
+  uint64_t seen = 0;  // what changed before this thread ran counts too
   while (!quits_ || !waiting_.empty()) {
     const bool has_changed = cluster_.work_changed.count() != seen;
     seen = cluster_.work_changed.count();

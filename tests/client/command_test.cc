@@ -122,7 +122,7 @@ TEST_F(CommandTest, AggregateLeavesTheSceneAndFilesBesideItsOutputAsTheyAre) {
 }
 
 TEST_F(CommandTest, AggregateEndsWith100WhereBoundaryEdgesFormNoLoop) {
-  MakeScene({"1 1 0", "9 1 0", "1 9 0", "9 9 0"}, {"0 1 2", "1 2 3"});  // the second triangle is turned over
+  MakeScene({"1 1 0", "9 1 0", "1 9 0", "1 5 3", "9 9 0"}, {"0 1 2", "0 1 3", "0 1 4"});  // three at one edge
   const Ended ended = Run({"aggregate", folder_ / "scene", "--out", folder_ / "all.ply"});
   EXPECT_EQ(ended.code, 100) << ended.err;
   EXPECT_THAT(ended.err, HasSubstr("form no loop"));

@@ -12,6 +12,7 @@
 #include "tests/support/round_meshes.h"
 #include "tests/support/space_meshes.h"
 #include "worker/fill/space/patch_crossings.h"
+#include "worker/survey/orient_faces.h"
 
 namespace tilemend {
 namespace {
@@ -119,7 +120,10 @@ TEST(SoupTest, IsNeverMadeWorse) {
       const auto old = before.find(edge);
       ASSERT_LE(count + (old == before.end() ? 0 : old->second), 2) << "an edge with three triangles";
     }
-    const EdgeCounts along = DirectedEdgesOf(filled.mesh, 0, filled.originals);
+    TriMesh oriented = filled.mesh;  // turned faces count as if they were turned back
+    oriented.triangles.resize(filled.originals);
+    OrientFaces(oriented);
+    const EdgeCounts along = DirectedEdgesOf(oriented, 0, filled.originals);
     for (const auto& [edge, count] : DirectedEdgesOf(filled.mesh, filled.originals, filled.mesh.triangles.size())) {
       ASSERT_EQ(count, 1) << "an edge of two new triangles that face opposite ways";
       ASSERT_FALSE(along.contains(edge)) << "a new triangle that faces another way than the surface beside it";

@@ -4,13 +4,13 @@
 #include <httplib.h>
 
 #include <atomic>
-#include <fstream>
 #include <map>
 #include <string>
 #include <thread>
 
 #include "absl/time/clock.h"
 #include "common/util/error_info.h"
+#include "tests/support/temporary_folder.h"
 
 namespace tilemend {
 namespace {
@@ -25,10 +25,10 @@ class S3CredentialsTest : public testing::Test {
     });
   }
   void WriteFile(const std::string& text) {
-    values_["AWS_SHARED_CREDENTIALS_FILE"] = testing::TempDir() + "/s3_credentials";
-    std::ofstream(values_["AWS_SHARED_CREDENTIALS_FILE"]) << text;
+    values_["AWS_SHARED_CREDENTIALS_FILE"] = folder_.Write("credentials", text);
   }
 
+  TemporaryFolder folder_;
   std::map<std::string, std::string> values_;
   bool imds_ = false;
 };
