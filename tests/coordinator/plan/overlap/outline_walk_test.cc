@@ -68,6 +68,16 @@ TEST(OutlineWalkTest, SaysThatNothingReachesTheOutline) {
   EXPECT_TRUE(Walk(RecordOf({"......", ".####.", ".####.", ".####.", ".####.", "......"})).all_open);
 }
 
+// A tile may begin a hair beside its corner: nobody's surface is missing there.
+TEST(OutlineWalkTest, AHairWithoutSurfaceIsNoMissingTile) {
+  SurveyRecord record;
+  const Point3 corners[] = {{1e-9, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}, {0, 1e-9, 0}};
+  for (const Point3& p : corners) record.vertices.push_back({-1, p});
+  for (int32_t k = 0; k < 4; ++k) record.edges.push_back({k, k + 1, 0});
+  const OutlineWalk walk = Walk(record);
+  EXPECT_FALSE(walk.all_open);
+}
+
 // A wall that stands on the northern outline, over ground that goes on below.
 SurveyRecord WithSheetAbove(SurveyRecord record, double west, double east) {
   const auto base = static_cast<int32_t>(record.vertices.size());
