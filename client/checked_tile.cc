@@ -42,14 +42,16 @@ absl::StatusOr<CheckedTile> ReadCheckedTile(const std::string& root, const std::
     TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name, NoFaces::kAccept));
     tile.faces.mesh = std::move(obj.file.mesh);
     tile.faces.looks = ObjFaceLooks(obj.textures, tile.faces.mesh.triangles.size());
-    tile.files = ReadObjLook(root, path, obj.textures).files;
+    TILEMEND_ASSIGN_OR_RETURN(TileLook look, ReadObjLook(root, path, obj.textures));
+    tile.files = std::move(look.files);
     return tile;
   }
   TILEMEND_ASSIGN_OR_RETURN(MeshFile file, ParseMesh(format, bytes, name, NoFaces::kAccept));
   tile.faces.mesh = std::move(file.mesh);
   if (format == MeshFormat::kPly) {
     TILEMEND_ASSIGN_OR_RETURN(tile.faces.looks, PlyFaceLooks(bytes, name));
-    tile.files = ReadPlyLook(root, path, bytes).files;
+    TILEMEND_ASSIGN_OR_RETURN(TileLook look, ReadPlyLook(root, path, bytes));
+    tile.files = std::move(look.files);
   } else {
     tile.faces.looks.assign(tile.faces.mesh.triangles.size(), 0);
   }

@@ -16,8 +16,9 @@
 namespace tilemend {
 namespace {
 
-void AddObjLook(const std::string& root, const std::string& path, const ObjTextures& textures, PictureTile& tile) {
-  const TileLook look = ReadObjLook(root, path, textures);
+absl::Status AddObjLook(const std::string& root, const std::string& path, const ObjTextures& textures,
+                        PictureTile& tile) {
+  TILEMEND_ASSIGN_OR_RETURN(const TileLook look, ReadObjLook(root, path, textures));
   for (const std::string& name : textures.materials) {
     PictureTile::Material& material = tile.materials.emplace_back();
     const auto found = look.materials.find(name);
@@ -38,6 +39,7 @@ void AddObjLook(const std::string& root, const std::string& path, const ObjTextu
       if (corners[k] >= 0) uv[k] = textures.coordinates[static_cast<size_t>(corners[k])];
     }
   }
+  return absl::OkStatus();
 }
 
 // The finest level of a tree.
@@ -77,7 +79,7 @@ absl::StatusOr<PictureTile> ReadPictureTile(const std::string& root, const std::
     TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name, NoFaces::kAccept));
     tile.faces.mesh = std::move(obj.file.mesh);
     tile.faces.looks = ObjFaceLooks(obj.textures, tile.faces.mesh.triangles.size());
-    AddObjLook(root, path, obj.textures, tile);
+    TILEMEND_RETURN_IF_ERROR(AddObjLook(root, path, obj.textures, tile));
     return tile;
   }
   TILEMEND_ASSIGN_OR_RETURN(MeshFile file, ParseMesh(format, bytes, name, NoFaces::kAccept));

@@ -18,6 +18,10 @@ std::unique_ptr<ObjectStore>& UsedObjects() {
 
 bool IsObjectPath(std::string_view path) { return path.starts_with("s3://"); }
 
+bool IsStoreError(std::string_view path, const absl::Status& status) {
+  return IsObjectPath(path) && (absl::IsUnavailable(status) || absl::IsPermissionDenied(status));
+}
+
 void UseObjects(std::unique_ptr<ObjectStore> store) { UsedObjects() = std::move(store); }
 
 absl::StatusOr<ObjectStore*> ObjectsFor(const std::string& path) {

@@ -46,6 +46,10 @@ class ObjectStore {
 
 bool IsObjectPath(std::string_view path);
 
+// Whether `status`, not OK, is that of a store which cannot say what is at `path`: neither that it is missing, nor a
+// fault of its content.
+bool IsStoreError(std::string_view path, const absl::Status& status);
+
 // From now on paths of objects lead there. For the start of main, once.
 void UseObjects(std::unique_ptr<ObjectStore> store);
 

@@ -8,6 +8,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/codec/obj.h"
 #include "common/util/files.h"
+#include "common/util/object_store.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "worker/materials/textured_surface.h"
@@ -110,8 +111,8 @@ class TreeDelivery {
 };
 
 // The look of an OBJ tile with that of its filled faces, whose material file is not written yet.
-TileLook LookWith(const ObjBeside& beside, const ObjTextures& textures) {
-  TileLook look = ReadObjLook(beside.root, beside.path, textures);
+absl::StatusOr<TileLook> LookWith(const ObjBeside& beside, const ObjTextures& textures) {
+  TILEMEND_ASSIGN_OR_RETURN(TileLook look, ReadObjLook(beside.root, beside.path, textures));
   for (const FillMaterial& material : beside.filled) {
     // The bytes of the image are in ObjBeside; a path of the scene never is empty but for the last "/".
     look.materials[material.name] = {material.colour, material.image.empty() ? "" : "/"};
@@ -120,15 +121,17 @@ TileLook LookWith(const ObjBeside& beside, const ObjTextures& textures) {
 }
 
 // The bytes of an image; empty, with a warning, if it cannot be used.
-std::string ReadImage(const ObjBeside& beside, const std::string& image, std::vector<std::string>& warnings) {
+absl::StatusOr<std::string> ReadImage(const ObjBeside& beside, const std::string& image,
+                                      std::vector<std::string>& warnings) {
   if (image == "/") return std::string(beside.filled_image);
   auto bytes = ReadFile(absl::StrCat(beside.root, "/", image));
+  if (IsStoreError(beside.root, bytes.status())) return bytes.status();
   if (!bytes.ok()) {
     warnings.emplace_back(bytes.status().message());
   } else if (ImageEnding(*bytes).empty()) {
     warnings.push_back(absl::StrCat(Printable(image), ": neither JPEG, PNG, WebP nor KTX2; its faces have one colour"));
   } else {
-    return *std::move(bytes);
+    return bytes;
   }
   return "";
 }
@@ -163,14 +166,15 @@ DeliveryTile DeliveryOfTree(const TileTree& tile, DeliveryLevels levels) { retur
 
 absl::StatusOr<DeliveryTile> DeliveryOfObj(std::string_view bytes, const ObjBeside& beside) {
   TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, beside.path, NoFaces::kAccept));
-  const TileLook look = LookWith(beside, obj.textures);
+  TILEMEND_ASSIGN_OR_RETURN(const TileLook look, LookWith(beside, obj.textures));
   const TexturedSurface surface = TexturedSurfaceOf(std::move(obj), look);
   DeliveryTile tile;
   DeliveryPiece piece;
   for (const TexturedSurface::Group& group : surface.groups) {
     int32_t image = -1;
     if (!group.image.empty()) {
-      if (std::string read = ReadImage(beside, group.image, tile.warnings); !read.empty()) {
+      TILEMEND_ASSIGN_OR_RETURN(std::string read, ReadImage(beside, group.image, tile.warnings));
+      if (!read.empty()) {
         image = static_cast<int32_t>(tile.images.size());
         tile.images.push_back(std::move(read));
       }

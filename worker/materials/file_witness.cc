@@ -11,12 +11,14 @@ namespace tilemend {
 
 bool Holds(const std::string& root, const FileWitness& witness) {
   const auto leads_there = [&](const FileWitness::Lookup& lookup) {
-    const SceneFile file = FindSceneFile(root, lookup.folder, lookup.name);
-    return file.path == lookup.path && file.problem == lookup.problem;
+    const auto file = FindSceneFile(root, lookup.folder, lookup.name);
+    return file.ok() && file->path == lookup.path && file->problem == lookup.problem;
   };
   const auto is_same = [&](const FileWitness::Read& read) {
     const std::string name = std::filesystem::path(read.path).filename().string();
-    if (FindSceneFile(root, FolderOf(read.path), name).path != read.path) return read.digest.empty();
+    const auto file = FindSceneFile(root, FolderOf(read.path), name);
+    if (!file.ok()) return false;
+    if (file->path != read.path) return read.digest.empty();
     const auto same = FileHasDigest(absl::StrCat(root, "/", read.path), read.digest);
     return same.ok() ? *same : read.digest.empty();
   };

@@ -9,6 +9,7 @@
 #include "common/image/image.h"
 #include "common/store/digest.h"
 #include "common/util/files.h"
+#include "common/util/object_store.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 
@@ -54,8 +55,8 @@ absl::Status SampleImage(const std::string& root, const std::string& path, const
 
 }  // namespace
 
-RimColours SampleRim(const std::string& root, const TileLook& look, const ObjTextures& textures,
-                     const std::vector<RimSpot>& spots, size_t vertices) {
+absl::StatusOr<RimColours> SampleRim(const std::string& root, const TileLook& look, const ObjTextures& textures,
+                                     const std::vector<RimSpot>& spots, size_t vertices) {
   RimColours result;
   if (look.materials.empty()) return result;
   result.colours.resize(vertices);
@@ -76,6 +77,7 @@ RimColours SampleRim(const std::string& root, const TileLook& look, const ObjTex
   }
   for (const auto& [path, places] : texels) {
     const absl::Status status = SampleImage(root, path, places, result);
+    if (IsStoreError(root, status)) return status;
     if (!status.ok()) {
       result.warnings.push_back(
           absl::StrCat(Printable(std::string(status.message())), ": fills beside it get no colour from it"));

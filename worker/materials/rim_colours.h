@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "absl/status/statusor.h"
 #include "common/codec/obj.h"
 #include "common/util/colour.h"
 #include "worker/materials/tile_look.h"
@@ -21,8 +22,8 @@ struct RimColours {
 
 // The texels at the spots, or the diffuse colour of a material without an image. `vertices`: how many boundary vertices
 // there are. Reads only the images that lie at a spot, and holds one at a time.
-RimColours SampleRim(const std::string& root, const TileLook& look, const ObjTextures& textures,
-                     const std::vector<RimSpot>& spots, size_t vertices);
+absl::StatusOr<RimColours> SampleRim(const std::string& root, const TileLook& look, const ObjTextures& textures,
+                                     const std::vector<RimSpot>& spots, size_t vertices);
 
 }  // namespace tilemend
 

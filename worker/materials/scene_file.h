@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "absl/status/statusor.h"
+
 namespace tilemend {
 
 // Where a name leads to.
@@ -18,8 +20,8 @@ struct SceneFile {
 // the name as it is written, one that differs only in capital letters is taken (the first in byte order). A name that
 // is absolute, or leads out of `root` by "..", leads nowhere; so does one that the output needs for itself
 // (IsOutputName). A link is followed as long as it leads to something in the scene, or below `folder` where that is
-// itself reached by a link.
-SceneFile FindSceneFile(const std::string& root, const std::string& folder, std::string_view name);
+// itself reached by a link. Errors of an object store that cannot say whether the file is there.
+absl::StatusOr<SceneFile> FindSceneFile(const std::string& root, const std::string& folder, std::string_view name);
 
 // The folder of a path relative to the scene: "" for a file directly in it.
 std::string FolderOf(const std::string& path);

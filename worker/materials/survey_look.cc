@@ -27,10 +27,11 @@ absl::StatusOr<LookSurvey> SurveyTexturedObj(const std::string& root, const std:
                                              const std::string& name, const SurveyChoice& choice) {
   TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name, choice.no_faces));
   LookSurvey survey{SurveyOf(obj.file, choice), {}, {}};
-  TileLook look = ReadObjLook(root, path, obj.textures);
+  TILEMEND_ASSIGN_OR_RETURN(TileLook look, ReadObjLook(root, path, obj.textures));
   const std::vector<RimSpot> spots = RimSpots(obj.file.mesh, survey.record);
   obj.file = {};  // images need room
-  RimColours sampled = SampleRim(root, look, obj.textures, spots, survey.record.vertices.size());
+  TILEMEND_ASSIGN_OR_RETURN(RimColours sampled,
+                            SampleRim(root, look, obj.textures, spots, survey.record.vertices.size()));
   survey.record.colours = std::move(sampled.colours);
   survey.files = std::move(look.files);
   survey.witness = std::move(look.witness);
@@ -42,7 +43,7 @@ absl::StatusOr<LookSurvey> SurveyTexturedObj(const std::string& root, const std:
 absl::StatusOr<LookSurvey> SurveyPly(const std::string& root, const std::string& path, std::string_view bytes,
                                      const std::string& name, const SurveyChoice& choice) {
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(MeshFormat::kPly, bytes, name));
-  TileLook look = ReadPlyLook(root, path, bytes);
+  TILEMEND_ASSIGN_OR_RETURN(TileLook look, ReadPlyLook(root, path, bytes));
   LookSurvey survey{SurveyOf(file, choice), std::move(look.files), std::move(look.witness)};
   std::vector<int32_t> vertices;
   for (const BoundaryVertex& v : survey.record.vertices) vertices.push_back(v.index);

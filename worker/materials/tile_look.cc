@@ -11,6 +11,8 @@
 #include "common/codec/ply_colours.h"
 #include "common/store/digest.h"
 #include "common/util/files.h"
+#include "common/util/object_store.h"
+#include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "worker/materials/scene_file.h"
 
@@ -60,13 +62,18 @@ class LookReader {
     return file.path;
   }
 
-  TileLook Finish() { return std::move(look_); }
+  absl::StatusOr<TileLook> Finish() {
+    TILEMEND_RETURN_IF_ERROR(status_);
+    return std::move(look_);
+  }
 
  private:
   SceneFile Find(const std::string& folder, const std::string& name) {
-    SceneFile file = FindSceneFile(root_, folder, name);
-    look_.witness.lookups.push_back({folder, name, file.path, file.problem});
-    return file;
+    auto file = FindSceneFile(root_, folder, name);
+    status_.Update(file.status());
+    if (!file.ok()) return {"", "cannot be looked for"};
+    look_.witness.lookups.push_back({folder, name, file->path, file->problem});
+    return *std::move(file);
   }
 
   // Beside the file that names it, or beside the tile.
@@ -83,6 +90,7 @@ class LookReader {
       return;
     const auto text = ReadFile(absl::StrCat(root_, "/", path));
     look_.witness.reads.push_back({path, text.ok() ? FileDigest(*text) : ""});
+    if (IsStoreError(root_, text.status())) status_.Update(text.status());
     if (!text.ok()) return Warn(tile_, path, "cannot be read");
     look_.files.libraries.push_back(path);
     const MtlFile file = ParseMtl(*text);
@@ -108,17 +116,18 @@ class LookReader {
   const std::string& root_;
   const std::string& tile_;
   TileLook look_;
+  absl::Status status_;  // the first error of an object store
 };
 
 }  // namespace
 
-TileLook ReadObjLook(const std::string& root, const std::string& path, const ObjTextures& textures) {
+absl::StatusOr<TileLook> ReadObjLook(const std::string& root, const std::string& path, const ObjTextures& textures) {
   LookReader reader(root, path);
   for (const std::string& names : textures.libraries) reader.AddLibraries(names);
   return reader.Finish();
 }
 
-TileLook ReadPlyLook(const std::string& root, const std::string& path, std::string_view bytes) {
+absl::StatusOr<TileLook> ReadPlyLook(const std::string& root, const std::string& path, std::string_view bytes) {
   LookReader reader(root, path);
   for (const std::string& name : PlyTextureNames(bytes)) reader.AddImage(path, 0, name);
   return reader.Finish();

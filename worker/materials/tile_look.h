@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "absl/status/statusor.h"
 #include "common/codec/obj.h"
 #include "common/records/tile_files.h"
 #include "common/util/colour.h"
@@ -26,10 +27,11 @@ struct TileLook {
 
 // Reads the material files that the OBJ tile `path` of the scene `root` names. An image is looked for beside the
 // material file that names it, then beside the tile. What is missing or lies elsewhere gives a warning that names it.
-TileLook ReadObjLook(const std::string& root, const std::string& path, const ObjTextures& textures);
+// Errors of an object store that cannot say whether a file is there.
+absl::StatusOr<TileLook> ReadObjLook(const std::string& root, const std::string& path, const ObjTextures& textures);
 
-// The images that the header of a PLY tile names.
-TileLook ReadPlyLook(const std::string& root, const std::string& path, std::string_view bytes);
+// The images that the header of a PLY tile names. Errors as above.
+absl::StatusOr<TileLook> ReadPlyLook(const std::string& root, const std::string& path, std::string_view bytes);
 
 }  // namespace tilemend
 

@@ -59,7 +59,7 @@ absl::StatusOr<LoadedTile> Load(const v1::TileRef& tile) {
     return LoadedTile{tile.root(), std::move(surface)};
   }
   TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, path, NoFaces::kAccept));
-  const TileLook look = ReadObjLook(tile.root(), tile.path(), obj.textures);
+  TILEMEND_ASSIGN_OR_RETURN(const TileLook look, ReadObjLook(tile.root(), tile.path(), obj.textures));
   return LoadedTile{tile.root(), TexturedSurfaceOf(std::move(obj), look)};
 }
 

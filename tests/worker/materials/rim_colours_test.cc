@@ -44,7 +44,7 @@ std::vector<RimSpot> Spots() {
 TEST(SampleRimTest, TakesTexelsAndPlainColours) {
   const TemporaryFolder folder;
   folder.Write("a.png", TwoColours());
-  const RimColours rim = SampleRim(folder.path(), Look(), Textures(), Spots(), 6);
+  const RimColours rim = SampleRim(folder.path(), Look(), Textures(), Spots(), 6).value();
   EXPECT_THAT(rim.colours,
               ElementsAre(std::nullopt, std::nullopt, Rgb{1, 2, 3}, Rgb{0, 0, 200}, Rgb{200, 0, 0}, std::nullopt));
   EXPECT_THAT(rim.warnings, IsEmpty());
@@ -54,7 +54,7 @@ TEST(SampleRimTest, AnImageThatCannotBeReadGivesAWarningAndNoColour) {
   const TemporaryFolder folder;
   for (const std::string& bytes : {std::string(), TwoColours().substr(0, 60), std::string("GIF89a")}) {
     folder.Write("a.png", bytes);
-    const RimColours rim = SampleRim(folder.path(), Look(), Textures(), Spots(), 5);
+    const RimColours rim = SampleRim(folder.path(), Look(), Textures(), Spots(), 5).value();
     EXPECT_EQ(rim.colours[4], std::nullopt);
     EXPECT_EQ(rim.colours[2], (Rgb{1, 2, 3}));
     EXPECT_THAT(rim.warnings, ElementsAre(HasSubstr("a.png")));
@@ -63,11 +63,11 @@ TEST(SampleRimTest, AnImageThatCannotBeReadGivesAWarningAndNoColour) {
 
 TEST(SampleRimTest, LeavesImagesAloneThatTouchNoRim) {
   const TemporaryFolder folder;  // without a.png
-  EXPECT_THAT(SampleRim(folder.path(), Look(), Textures(), {Spots()[2]}, 5).warnings, IsEmpty());
+  EXPECT_THAT(SampleRim(folder.path(), Look(), Textures(), {Spots()[2]}, 5).value().warnings, IsEmpty());
 }
 
 TEST(SampleRimTest, ATileWithoutMaterialsHasNoColours) {
-  EXPECT_THAT(SampleRim("", TileLook(), Textures(), Spots(), 5).colours, IsEmpty());
+  EXPECT_THAT(SampleRim("", TileLook(), Textures(), Spots(), 5).value().colours, IsEmpty());
 }
 
 }  // namespace

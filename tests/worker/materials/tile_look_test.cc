@@ -17,7 +17,7 @@ class TileLookTest : public testing::Test {
   TileLook Read(std::vector<std::string> libraries) {
     ObjTextures textures;
     textures.libraries = std::move(libraries);
-    return ReadObjLook(folder_.path(), "Data/T.obj", textures);
+    return ReadObjLook(folder_.path(), "Data/T.obj", textures).value();
   }
 
   TemporaryFolder folder_;
@@ -98,7 +98,8 @@ TEST_F(TileLookTest, ATileIsNoImageAndNoLibrary) {
 TEST_F(TileLookTest, ReadsTheTexturesOfAPly) {
   folder_.Write("Data/a.png", "x");
   const TileLook look = ReadPlyLook(folder_.path(), "Data/T.ply",
-                                    "ply\ncomment TextureFile a.png\ncomment TextureFile b.png\nend_header\n");
+                                    "ply\ncomment TextureFile a.png\ncomment TextureFile b.png\nend_header\n")
+                            .value();
   EXPECT_THAT(look.files.images, ElementsAre("Data/a.png"));
   EXPECT_THAT(look.files.warnings, ElementsAre(HasSubstr("b.png is not there")));
 }
