@@ -1,20 +1,18 @@
 #include "worker/texture/base_colours.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
-#include <utility>
 #include <vector>
 
 namespace tilemend {
 namespace {
 
 constexpr double kBaseSquare = 0.5;  // metres
-constexpr double kBaseSmooth = 0.8;  // metres
-constexpr int kSweeps = 30;
-constexpr double kWide = 4;         // metres, deviation of the surroundings
-constexpr float kBright = 1.5F;     // of the surroundings' brightness
-constexpr float kBrightOffset = 8;  // grey levels
-constexpr float kShadow = 0.6F;     // of the base's brightness
+constexpr double kSmooth = 0.8;      // metres
+constexpr float kShadow = 0.6F;      // of the brightness around
+constexpr int kMiddleSteps = 20;
+constexpr double kNearMiddle = 0.5;  // grey levels: a square on the middle itself must not hold it there
 
 // The mean of the two in the middle, of an even number.
 float MedianOf(std::vector<uint8_t>& values) {
@@ -22,21 +20,6 @@ float MedianOf(std::vector<uint8_t>& values) {
   std::nth_element(values.begin(), middle, values.end());
   if (values.size() % 2 == 1) return *middle;
   return (static_cast<float>(*middle) + static_cast<float>(*std::max_element(values.begin(), middle))) / 2;
-}
-
-SquareLattice Spread(const OrthoRaster& raster, const PixelMask& sources) {
-  SquareLattice base = MedianSquares(raster, sources);
-  SmoothSquares(kBaseSmooth / (base.pixels * raster.frame.texel), base);
-  FillSquares(kSweeps, base);
-  return base;
-}
-
-// What surrounds a pixel: medians smoothed over some 8 m.
-SquareLattice WideBase(const OrthoRaster& raster, const PixelMask& sources) {
-  SquareLattice wide = MedianSquares(raster, sources);
-  SmoothSquares(kWide / (wide.pixels * raster.frame.texel), wide);
-  FillSquares(0, wide);
-  return wide;
 }
 
 }  // namespace
@@ -77,20 +60,37 @@ SquareLattice MedianSquares(const OrthoRaster& raster, const PixelMask& sources)
   return squares;
 }
 
-BaseOfSources BaseColours(const OrthoRaster& raster, PixelMask& sources) {
-  const SquareLattice wide = WideBase(raster, sources), first = Spread(raster, sources);
-  PixelMask plain = sources;
+void DropShadows(const OrthoRaster& raster, PixelMask& sources) {
+  SquareLattice around = MedianSquares(raster, sources);
+  SmoothSquares(kSmooth / (around.pixels * raster.frame.texel), around);
+  FillSquares(around);
   for (int32_t y = 0; y < raster.frame.height; ++y) {
     for (int32_t x = 0; x < raster.frame.width; ++x) {
       const size_t at = raster.frame.At(x, y);
       if (sources[at] == 0) continue;
       const float own = Brightness(ChannelsOf(raster.colours[at]));
-      if (own < kShadow * Brightness(ValueAt(first, raster.frame, x, y))) sources[at] = plain[at] = 0;
-      if (own > kBright * Brightness(ValueAt(wide, raster.frame, x, y)) + kBrightOffset) plain[at] = 0;
+      if (own < kShadow * Brightness(ValueAt(around, raster.frame, x, y))) sources[at] = 0;
     }
   }
-  SquareLattice base = Spread(raster, plain);
-  return {std::move(base), std::move(plain)};
+}
+
+Channels MiddleOf(const SquareLattice& squares) {
+  Eigen::Array3d middle = Eigen::Array3d::Zero();
+  for (int step = 0; step <= kMiddleSteps; ++step) {
+    Eigen::Array3d sum = Eigen::Array3d::Zero();
+    double weights = 0;
+    for (size_t i = 0; i < squares.values.size(); ++i) {
+      if (!(squares.weights[i] > 0)) continue;
+      const Channels& c = squares.values[i];
+      const Eigen::Array3d value = {double{c[0]}, double{c[1]}, double{c[2]}};
+      const double weight = step == 0 ? 1 : 1 / std::max(kNearMiddle, (value - middle).matrix().norm());
+      sum += weight * value;
+      weights += weight;
+    }
+    middle = sum / weights;
+  }
+  const Eigen::Array3f result = middle.cast<float>();
+  return {result[0], result[1], result[2]};
 }
 
 }  // namespace tilemend

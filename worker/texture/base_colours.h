@@ -1,4 +1,4 @@
-// The colours of ground or water without its details, also where there is none.
+// The colours of ground or water without its details.
 #ifndef TILEMEND_WORKER_TEXTURE_BASE_COLOURS_H_
 #define TILEMEND_WORKER_TEXTURE_BASE_COLOURS_H_
 
@@ -15,15 +15,13 @@ Channels ChannelsOf(Rgb colour);
 // The medians of squares of 0.5 m in which at least a quarter of the pixels are sources. Cost: linear in the pixels.
 SquareLattice MedianSquares(const OrthoRaster& raster, const PixelMask& sources);
 
-struct BaseOfSources {
-  SquareLattice base;
-  PixelMask plain;  // the sources that it was made from
-};
+// Takes out sources that are darker than 0.6 of the medians around them, smoothed by 0.8 m: shadows, dark cars. Cost:
+// linear in the pixels.
+void DropShadows(const OrthoRaster& raster, PixelMask& sources);
 
-// These, smoothed by 0.8 m and spread over the whole raster. Sources that are darker than 0.6 of it (shadows, dark
-// cars) are taken out of `sources`. It is made again without them and without pixels that are brighter than 1.5 of
-// their surroundings of some 8 m (marks, roofs, cars). Cost: linear in the pixels.
-BaseOfSources BaseColours(const OrthoRaster& raster, PixelMask& sources);
+// The geometric median of the known squares: the colour from which the sum of the ways to theirs is least (Weiszfeld
+// 1937). Half of them may be anything. Precondition: one is known. Cost: linear.
+Channels MiddleOf(const SquareLattice& squares);
 
 }  // namespace tilemend
 

@@ -51,7 +51,7 @@ class SumTable {
 // The grain of sources: what is left of their colour without the low frequencies.
 std::vector<Grain> GrainOf(const OrthoRaster& raster, const PixelMask& sources) {
   SquareLattice low = MedianSquares(raster, sources);
-  FillSquares(0, low);
+  FillSquares(low);
   std::vector<Grain> grain(sources.size());
   for (int32_t y = 0; y < raster.frame.height; ++y) {
     for (int32_t x = 0; x < raster.frame.width; ++x) {

@@ -124,24 +124,25 @@ std::vector<FreeSquare> FreeSquares(const std::vector<uint8_t>& fixed, int64_t c
 // One value a column, padded to what a processor adds at once.
 using SquareValues = Eigen::Array<float, 4, Eigen::Dynamic>;
 
-void Relax(const std::vector<FreeSquare>& squares, SquareValues& values) {
+void Relax(const std::vector<FreeSquare>& squares, float screen, SquareValues& values) {
   constexpr float kOverRelaxation = 1.8F;
   for (const FreeSquare& square : squares) {
     Eigen::Array4f sum = values.col(square.around[0]);
     for (int32_t k = 1; k < square.count; ++k) sum += values.col(square.around[static_cast<size_t>(k)]);
-    values.col(square.at) += kOverRelaxation * (sum / static_cast<float>(square.count) - values.col(square.at));
+    values.col(square.at) +=
+        kOverRelaxation * (sum / (static_cast<float>(square.count) + screen) - values.col(square.at));
   }
 }
 
-// The membrane between fixed squares.
-void RelaxAll(int sweeps, const std::vector<uint8_t>& fixed, SquareLattice& lattice) {
+// The membrane between fixed squares, drawn to 0 by `screen`.
+void RelaxAll(int sweeps, float screen, const std::vector<uint8_t>& fixed, SquareLattice& lattice) {
   SquareValues values = SquareValues::Zero(4, static_cast<Eigen::Index>(lattice.values.size()));
   for (size_t i = 0; i < lattice.values.size(); ++i)
     for (size_t c = 0; c < 3; ++c)
       values(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(i)) = lattice.values[i][c];
   const std::array<std::vector<FreeSquare>, 2> free = {FreeSquares(fixed, 0, lattice), FreeSquares(fixed, 1, lattice)};
   for (int i = 0; i < sweeps; ++i) {
-    for (const std::vector<FreeSquare>& squares : free) Relax(squares, values);
+    for (const std::vector<FreeSquare>& squares : free) Relax(squares, screen, values);
   }
   for (size_t i = 0; i < lattice.values.size(); ++i)
     for (size_t c = 0; c < 3; ++c)
@@ -222,18 +223,22 @@ void SmoothSquares(double sigma, SquareLattice& lattice) {
   }
 }
 
-void FillSquares(int sweeps, SquareLattice& lattice) {
-  std::vector<uint8_t> fixed(lattice.weights.size());
-  for (size_t i = 0; i < fixed.size(); ++i) {
-    fixed[i] = lattice.weights[i] > 0 ? 1 : 0;
-    lattice.weights[i] = fixed[i];
-  }
-  if (std::find(fixed.begin(), fixed.end(), 1) == fixed.end()) {
+void FillSquares(SquareLattice& lattice) {
+  for (float& weight : lattice.weights) weight = weight > 0 ? 1 : 0;
+  if (std::find(lattice.weights.begin(), lattice.weights.end(), 1) == lattice.weights.end()) {
     std::fill(lattice.values.begin(), lattice.values.end(), Channels{});
     return;
   }
   PushPull(lattice);
-  if (sweeps > 0) RelaxAll(sweeps, fixed, lattice);
+}
+
+void FadeSquares(double reach, int sweeps, SquareLattice& lattice) {
+  std::vector<uint8_t> fixed(lattice.weights.size());
+  for (size_t i = 0; i < fixed.size(); ++i) {
+    fixed[i] = lattice.weights[i] > 0 ? 1 : 0;
+    if (fixed[i] == 0) lattice.values[i] = {};
+  }
+  RelaxAll(sweeps, static_cast<float>(1 / (reach * reach)), fixed, lattice);
 }
 
 }  // namespace tilemend

@@ -43,9 +43,13 @@ Channels ValueAt(const SquareLattice& lattice, const RasterFrame& frame, int32_t
 void SmoothSquares(double sigma, SquareLattice& lattice);
 
 // Gives every square a value. Known ones keep theirs. The rest gets means of ever larger squares, interpolated
-// (push-pull; Gortler, Grzeszczuk, Szeliski and Cohen 1996). Then it gets a membrane between the known ones (`sweeps`
-// of successive over-relaxation). All values are 0 if none is known. Cost: O(squares * sweeps).
-void FillSquares(int sweeps, SquareLattice& lattice);
+// (push-pull; Gortler, Grzeszczuk, Szeliski and Cohen 1996). All values are 0 if none is known. Cost: O(squares).
+void FillSquares(SquareLattice& lattice);
+
+// Gives every square a value. Known ones keep theirs; from them values fall to 0 over some `reach` squares. They solve
+// v = reach^2 * laplacian of v (the screened Poisson equation of Bhat, Curless, Cohen and Zitnick 2008), by `sweeps` of
+// successive over-relaxation. Cost: O(squares * sweeps).
+void FadeSquares(double reach, int sweeps, SquareLattice& lattice);
 
 }  // namespace tilemend
 

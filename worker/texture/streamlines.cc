@@ -150,7 +150,7 @@ StructureField StructureOf(const OrthoRaster& raster, const PixelMask& sources) 
     }
   }
   SmoothSquares(kFieldSmooth / (squares.pixels * raster.frame.texel), squares);
-  FillSquares(0, squares);
+  FillSquares(squares);
   for (Channels& value : squares.values) value = DirectionOf(value);
   return field;
 }

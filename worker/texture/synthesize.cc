@@ -15,10 +15,13 @@ namespace {
 
 constexpr double kRimBand = 1.2;  // metres of sources beside the fill in which the step is measured
 constexpr double kRimSmooth = 0.6;
-constexpr double kRimFade = 4;
+constexpr double kRimFade = 2;
 constexpr float kMostStep = 40;      // grey levels; more is an object, a mark or a shadow
 constexpr double kLevelSquare = 1;   // metres
 constexpr float kMostAboveFill = 1;  // metres, or below
+constexpr double kBeside = 3;        // metres: the surface that a fill goes on from
+constexpr double kBlurred = 0.25;    // metres: texels at the end of the surface
+constexpr float kObjectHeight = 0.4F;
 constexpr double kWaterGrain = 1.5;  // grey levels
 constexpr int kRimSweeps = 30;
 
@@ -31,25 +34,33 @@ class LayerMaker {
       make_[i] = fill.pixels[i] == layer ? 1 : 0;
       hole_[i] = fill.pixels[i] != FillPixel::kNone ? 1 : 0;
     }
-    const auto band = std::max(2, static_cast<int32_t>(std::lround(kRimBand / frame_.texel)));
-    rim_ = Dilated(make_, frame_, band);
+    rim_ = Dilated(make_, frame_, PixelsIn(kRimBand));
   }
 
   bool IsNeeded() const { return std::find(make_.begin(), make_.end(), 1) != make_.end(); }
 
   void Ground(PixelMask sources, Rgb fallback) {
-    KeepFillHeight(sources);
-    if (!SetBase(sources, fallback)) return;
-    CarryStructure(raster_, sources, StructureOf(raster_, sources), MadeAndRim(sources), colours_);
-    SpreadRimStep(plain_);
-    AddGrain(raster_, sources, make_, colours_);
+    const SquareLattice level = LevelOfFill();
+    beside_ = SurfaceBeside(level);
+    SetBase(fallback);
+    KeepFillHeight(level, sources);
+    const bool has_sources = std::find(sources.begin(), sources.end(), 1) != sources.end();
+    if (has_sources) {
+      DropShadows(raster_, sources);
+      CarryStructure(raster_, sources, StructureOf(raster_, sources), MadeAndRim(sources), colours_);
+    }
+    SpreadRimStep();
+    if (has_sources) AddGrain(raster_, sources, make_, colours_);
   }
 
-  void Water(PixelMask sources, const FillLook& look) {
+  void Water(const PixelMask& sources, const FillLook& look) {
     if (look.given_water) {
       colours_.assign(make_.size(), ChannelsOf(*look.given_water));
-    } else if (SetBase(sources, look.water)) {
-      SpreadRimStep(plain_);
+    } else {
+      beside_ = Dilated(hole_, frame_, PixelsIn(kBeside));
+      for (size_t i = 0; i < sources.size(); ++i) beside_[i] = beside_[i] != 0 && sources[i] != 0 ? 1 : 0;
+      SetBase(look.water);
+      SpreadRimStep();
     }
     ForEachMade([&](int32_t x, int32_t y, size_t at) {
       const float white = WhiteGrain(frame_.column + x, frame_.row + y, kWaterGrain);
@@ -76,26 +87,15 @@ class LayerMaker {
     }
   }
 
-  // False if there is no source: the fallback is the colour.
-  bool SetBase(PixelMask& sources, Rgb fallback) {
-    if (std::find(sources.begin(), sources.end(), 1) == sources.end()) {
-      colours_.assign(make_.size(), ChannelsOf(fallback));
-      return false;
-    }
-    const BaseOfSources found = BaseColours(raster_, sources);
-    const SquareLattice& base = found.base;
-    plain_ = found.plain;
-    colours_.resize(make_.size());
-    for (int32_t y = 0; y < frame_.height; ++y) {
-      for (int32_t x = 0; x < frame_.width; ++x) {
-        if (const size_t at = frame_.At(x, y); rim_[at] != 0) colours_[at] = ValueAt(base, frame_, x, y);
-      }
-    }
-    return true;
+  // One colour for all, that of most of the rim; the fallback if the rim has no source.
+  void SetBase(Rgb fallback) {
+    const SquareLattice squares = MedianSquares(raster_, beside_);
+    const bool is_known = std::any_of(squares.weights.begin(), squares.weights.end(), [](float w) { return w > 0; });
+    colours_.assign(make_.size(), is_known ? MiddleOf(squares) : ChannelsOf(fallback));
   }
 
-  // Takes out sources on other levels than the fill beside them: terraces, a street above a bank.
-  void KeepFillHeight(PixelMask& sources) const {
+  // How high the fill is, and would be beside it.
+  SquareLattice LevelOfFill() const {
     SquareLattice level = LatticeOver(frame_, kLevelSquare);
     ForEachMade([&](int32_t x, int32_t y, size_t at) {
       const size_t square = SquareOf(level, frame_, x, y);
@@ -103,7 +103,12 @@ class LayerMaker {
       level.weights[square] += 1;
     });
     for (size_t i = 0; i < level.values.size(); ++i) level.values[i][0] /= std::max(1.0F, level.weights[i]);
-    FillSquares(0, level);
+    FillSquares(level);
+    return level;
+  }
+
+  // Takes out sources on other levels than the fill beside them: terraces, a street above a bank.
+  void KeepFillHeight(const SquareLattice& level, PixelMask& sources) const {
     for (int32_t y = 0; y < frame_.height; ++y) {
       for (int32_t x = 0; x < frame_.width; ++x) {
         const size_t at = frame_.At(x, y);
@@ -114,6 +119,25 @@ class LayerMaker {
     }
   }
 
+  // The surface that the fill goes on from: pixels beside it that are as high as it is, whatever they are.
+  PixelMask SurfaceBeside(const SquareLattice& level) const {
+    PixelMask beside = Dilated(hole_, frame_, PixelsIn(kBeside));
+    const PixelMask blurred = Dilated(hole_, frame_, PixelsIn(kBlurred));
+    for (int32_t y = 0; y < frame_.height; ++y) {
+      for (int32_t x = 0; x < frame_.width; ++x) {
+        const size_t at = frame_.At(x, y);
+        if (beside[at] == 0) continue;
+        const bool is_level = std::abs(raster_.heights[at] - ValueAt(level, frame_, x, y)[0]) < kObjectHeight;
+        beside[at] = is_level && blurred[at] == 0 && raster_.known[at] != 0 ? 1 : 0;
+      }
+    }
+    return beside;
+  }
+
+  int32_t PixelsIn(double metres) const {
+    return std::max(1, static_cast<int32_t>(std::lround(metres / frame_.texel)));
+  }
+
   PixelMask MadeAndRim(const PixelMask& sources) const {
     PixelMask mask = make_;
     for (size_t i = 0; i < mask.size(); ++i) {
@@ -122,13 +146,13 @@ class LayerMaker {
     return mask;
   }
 
-  // What the sources beside the fill differ from what was made there, spread over the fill.
-  void SpreadRimStep(const PixelMask& sources) {
+  // What the surface beside the fill differs from what was made there, spread over the fill.
+  void SpreadRimStep() {
     SquareLattice step = LatticeOver(frame_, kRimSmooth);
     for (int32_t y = 0; y < frame_.height; ++y) {
       for (int32_t x = 0; x < frame_.width; ++x) {
         const size_t at = frame_.At(x, y);
-        if (rim_[at] == 0 || sources[at] == 0) continue;
+        if (rim_[at] == 0 || beside_[at] == 0) continue;
         const size_t square = SquareOf(step, frame_, x, y);
         const Channels seen = ChannelsOf(raster_.colours[at]);
         if (std::abs(Brightness(seen) - Brightness(colours_[at])) > kMostStep) continue;
@@ -141,20 +165,17 @@ class LayerMaker {
       step.weights[i] = std::min(step.weights[i], 1.0F);
     }
     SmoothSquares(kRimSmooth / (step.pixels * frame_.texel), step);
-    FillSquares(kRimSweeps, step);
-    const std::vector<float> distance = DistanceInside(hole_, frame_);
+    FadeSquares(kRimFade / (step.pixels * frame_.texel), kRimSweeps, step);
     ForEachMade([&](int32_t x, int32_t y, size_t at) {
-      const auto far = static_cast<float>(distance[at] * frame_.texel / kRimFade);
-      if (far >= 1) return;
       const Channels value = ValueAt(step, frame_, x, y);
-      for (size_t c = 0; c < 3; ++c) colours_[at][c] += (1 - far) * value[c];
+      for (size_t c = 0; c < 3; ++c) colours_[at][c] += value[c];
     });
   }
 
   const OrthoRaster& raster_;
   const RasterFrame& frame_;
   const FillMap& fill_;
-  PixelMask make_, hole_, rim_, plain_;
+  PixelMask make_, hole_, rim_, beside_;
   std::vector<Channels> colours_;
 };
 

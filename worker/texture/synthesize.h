@@ -39,14 +39,13 @@ inline constexpr int64_t kBytesPerPixel = 64;
 
 // The raster's colours, those of kGround and kWater made anew. Pixels without surface or fill have that of the nearest
 // one in their row, or else column.
-//  - Sources of ground: pixels at most 0.4 m above an opening of 20 m and within 1 m of the fill's height, 0.5 m away
-//  from the
-//    fill and from objects, neither much darker nor much brighter than their surroundings. Sources of water: pixels
-//    within 0.6 m of the level.
-//  - Base: medians of squares of 0.5 m, smoothed, spread by a pyramid and a membrane (base_colours.h).
-//  - Lanes and kerbs: along the direction of the structure around, where there is one (streamlines.h).
+//  - Base: the geometric median of the surface up to 3 m beside the hole that is within 0.4 m of the fill's height (of
+//    water: within 0.6 m of the level), by medians of squares of 0.5 m (base_colours.h).
+//  - Lanes and kerbs: along the direction of the structure around, where there is one (streamlines.h). Sources are
+//    pixels at most 0.4 m above an opening of 20 m and within 1 m of the fill's height, 0.5 m away from the fill and
+//    from objects, and no shadows.
+//  - Rim: the step of colours at the rim is spread inward, and fades over some 2 m.
 //  - Grain: blocks of the sources' own grain (grain.h); of water white noise.
-//  - Rim: the step of colours at the rim is spread inward, and fades over 4 m.
 // All lattices are anchored to absolute coordinates: equal rasters of two cells give equal colours, and results depend
 // on nothing else. Cost: linear in the pixels of the raster; of the fill, in the length of its streamlines.
 std::vector<Rgb> Synthesize(const OrthoRaster& raster, const FillMap& fill, const FillLook& look);

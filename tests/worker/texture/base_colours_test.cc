@@ -28,20 +28,19 @@ TEST(BaseColoursTest, ShadowsAreNoSources) {
     return x > 0 && x < 6 ? Rgb{20, 20, 20} : Rgb{100, 100, 100};
   });
   PixelMask sources(kFrame.size(), 1);
-  const SquareLattice base = BaseColours(raster, sources).base;
+  DropShadows(raster, sources);
   EXPECT_EQ(sources[kFrame.At(40 + 3, 50)], 0);
   EXPECT_EQ(sources[kFrame.At(10, 50)], 1);
-  EXPECT_NEAR(ValueAt(base, kFrame, 43, 50)[0], 100, 1);
 }
 
-TEST(BaseColoursTest, TheWholeRasterHasABase) {
-  const OrthoRaster raster = RasterOf(kFrame, [](int64_t, int64_t) { return Rgb{60, 70, 80}; });
-  PixelMask sources(kFrame.size(), 0);
-  for (int32_t x = 0; x < 20; ++x) {
-    for (int32_t y = 0; y < 20; ++y) sources[kFrame.At(x, y)] = 1;
-  }
-  const SquareLattice base = BaseColours(raster, sources).base;
-  EXPECT_NEAR(ValueAt(base, kFrame, 119, 119)[2], 80, 0.5);
+TEST(BaseColoursTest, TheMiddleIsThatOfMostSquares) {
+  const OrthoRaster raster = RasterOf(kFrame, [](int64_t x, int64_t) {
+    return x < 40 ? Rgb{60, 70, 80} : Rgb{250, 10, 10};  // three parts of five
+  });
+  SquareLattice squares = MedianSquares(raster, PixelMask(kFrame.size(), 1));
+  const Channels middle = MiddleOf(squares);
+  EXPECT_NEAR(middle[0], 60, 2);
+  EXPECT_NEAR(middle[2], 80, 2);
 }
 
 }  // namespace

@@ -30,20 +30,18 @@ TEST(SquareLatticeTest, ValuesAreBilinearBetweenCentres) {
   EXPECT_EQ(ValueAt(lattice, frame, 0, 0)[0], 0);
 }
 
-TEST(SquareLatticeTest, AMembraneBetweenTwoSidesIsAPlane) {
-  SquareLattice lattice = LatticeOver({1, -6, -3, 13, 8}, 1);
+// In one dimension the solution is a hyperbolic cosine.
+TEST(SquareLatticeTest, ValuesFadeBetweenKnownSquares) {
+  SquareLattice lattice = LatticeOver({1, -6, -3, 21, 8}, 1);
   for (int32_t y = 0; y < lattice.height; ++y) {
     for (const int32_t x : {0, lattice.width - 1}) {
-      lattice.values[lattice.At(x, y)] = {10.0F * x, 5, 0};
+      lattice.values[lattice.At(x, y)] = {100, 5, 0};
       lattice.weights[lattice.At(x, y)] = 1;
     }
   }
-  FillSquares(60, lattice);
-  for (int32_t y = 0; y < lattice.height; ++y) {
-    for (int32_t x = 0; x < lattice.width; ++x) {
-      EXPECT_NEAR(lattice.values[lattice.At(x, y)][0], 10 * x, 0.5);
-      EXPECT_NEAR(lattice.values[lattice.At(x, y)][1], 5, 0.01);
-    }
+  FadeSquares(4, 60, lattice);
+  for (int32_t x = 0; x < lattice.width; ++x) {
+    EXPECT_NEAR(lattice.values[lattice.At(x, 4)][0], 100 * std::cosh((x - 10) / 4.0) / std::cosh(2.5), 0.5);
   }
 }
 
@@ -52,7 +50,7 @@ TEST(SquareLatticeTest, EndsOnBothSidesOfTheOrigin) {
     SquareLattice lattice = LatticeOver({1, -1, -1, width, 2}, 1);
     lattice.values[0] = {7, 7, 7};
     lattice.weights[0] = 1;
-    FillSquares(5, lattice);
+    FillSquares(lattice);
     for (const Channels& value : lattice.values) EXPECT_NEAR(value[1], 7, 1e-3);
   }
 }
@@ -60,7 +58,7 @@ TEST(SquareLatticeTest, EndsOnBothSidesOfTheOrigin) {
 TEST(SquareLatticeTest, NothingKnownGivesZeros) {
   SquareLattice lattice = LatticeOver({1, 0, 0, 5, 5}, 1);
   lattice.values[3] = {9, 9, 9};
-  FillSquares(5, lattice);
+  FillSquares(lattice);
   for (const Channels& value : lattice.values) EXPECT_EQ(value, (Channels{0, 0, 0}));
 }
 
