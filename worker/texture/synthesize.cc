@@ -22,6 +22,7 @@ constexpr float kMostAboveFill = 1;  // metres, or below
 constexpr double kBeside = 3;        // metres: the surface that a fill goes on from
 constexpr double kBlurred = 0.25;    // metres: texels at the end of the surface
 constexpr float kObjectHeight = 0.4F;
+constexpr double kKeepAway = 0.5;    // metres from objects
 constexpr double kWaterGrain = 1.5;  // grey levels
 constexpr int kRimSweeps = 30;
 
@@ -119,17 +120,23 @@ class LayerMaker {
     }
   }
 
-  // The surface that the fill goes on from: pixels beside it that are as high as it is, whatever they are.
+  // The surface that the fill goes on from: pixels beside it that are as high as it is, whatever they are, and not
+  // beside what stands on it.
   PixelMask SurfaceBeside(const SquareLattice& level) const {
-    PixelMask beside = Dilated(hole_, frame_, PixelsIn(kBeside));
-    const PixelMask blurred = Dilated(hole_, frame_, PixelsIn(kBlurred));
+    PixelMask beside = Dilated(hole_, frame_, PixelsIn(kBeside)), objects(beside.size());
     for (int32_t y = 0; y < frame_.height; ++y) {
       for (int32_t x = 0; x < frame_.width; ++x) {
         const size_t at = frame_.At(x, y);
-        if (beside[at] == 0) continue;
-        const bool is_level = std::abs(raster_.heights[at] - ValueAt(level, frame_, x, y)[0]) < kObjectHeight;
-        beside[at] = is_level && blurred[at] == 0 && raster_.known[at] != 0 ? 1 : 0;
+        if (beside[at] == 0 || raster_.known[at] == 0) continue;
+        const float above = raster_.heights[at] - ValueAt(level, frame_, x, y)[0];
+        objects[at] = above >= kObjectHeight ? 1 : 0;
+        if (above <= -kObjectHeight) beside[at] = 0;
       }
+    }
+    const PixelMask at_end = Dilated(hole_, frame_, PixelsIn(kBlurred)),
+                    at_object = Dilated(objects, frame_, PixelsIn(kKeepAway));
+    for (size_t i = 0; i < beside.size(); ++i) {
+      if (at_end[i] != 0 || at_object[i] != 0 || raster_.known[i] == 0) beside[i] = 0;
     }
     return beside;
   }

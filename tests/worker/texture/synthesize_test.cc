@@ -81,6 +81,37 @@ TEST(SynthesizeTest, WaterTakesNoColourOfItsBank) {
   }
 }
 
+// Noisy water has pits everywhere, and so is higher than an opening of 20 m; a street beside it is as high as it is.
+TEST(SynthesizeTest, AFillHasTheColourOfTheSurfaceThatItGoesOnFrom) {
+  const RasterFrame frame{0.25, 0, 0, 240, 240};
+  OrthoRaster raster = RasterOf(frame, [](int64_t x, int64_t y) {
+    const bool is_pond = x >= 40 && x < 200 && y >= 40 && y < 200;
+    return is_pond ? Rgb{40, 60, 50} : Rgb{200, 180, 160};
+  });
+  for (int32_t y = 44; y < 200; y += 16) {
+    for (int32_t x = 44; x < 200; x += 16) raster.heights[frame.At(x, y)] = -2;
+  }
+  const std::vector<FillPixel> fill = CutHole(raster, 90, 90, 150, 150, FillPixel::kGround);
+  const std::vector<Rgb> made = Synthesize(raster, MapOf(fill), {});
+  for (size_t i = 0; i < fill.size(); ++i) {
+    if (fill[i] == FillPixel::kGround) {
+      EXPECT_NEAR(made[i].r, 40, 12);
+    }
+  }
+}
+
+// One patch of another colour at the rim does not colour half of the fill.
+TEST(SynthesizeTest, APatchAtTheRimFades) {
+  const RasterFrame frame{0.25, 0, 0, 240, 240};
+  OrthoRaster raster = RasterOf(frame, [](int64_t x, int64_t y) {
+    return x >= 60 && x < 80 && y >= 110 && y < 130 ? Rgb{60, 60, 110} : Rgb{90, 90, 90};
+  });
+  const std::vector<FillPixel> fill = CutHole(raster, 80, 80, 160, 160, FillPixel::kGround);
+  const std::vector<Rgb> made = Synthesize(raster, MapOf(fill), {});
+  EXPECT_LT(made[frame.At(82, 120)].r, 75) << "beside the patch";
+  EXPECT_NEAR(made[frame.At(100, 120)].r, 90, 4) << "5 m away";
+}
+
 TEST(SynthesizeTest, GivenWaterHasItsColourUpToGrain) {
   const RasterFrame frame{0.25, 0, 0, 100, 100};
   OrthoRaster raster = RasterOf(frame, Asphalt);
