@@ -3,21 +3,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <span>
+#include <utility>
 
 #include "worker/texture/base_colours.h"
 
 namespace tilemend {
 namespace {
 
-constexpr double kBlock = 4, kOverlap = 1.2, kWindowStep = 0.5;  // metres
-constexpr int kCandidates = 40;
+constexpr double kWindow = 2, kWindowStep = 0.5;  // metres
+constexpr int32_t kMostWindow = 16;               // pixels: the cost of a pixel is this squared
+constexpr double kLow = 1;                        // metres: slower changes are no grain
+constexpr uint32_t kSpots = 4;
 constexpr double kPlain = 1.25;      // deviation of a window without marks, in that of the plainest quarter
 constexpr double kWhiteSigma = 1.5;  // grey levels, where nothing tells it
 constexpr double kMostSigma = 8;
 
-using Grain = std::array<int8_t, 3>;
+using Grain = std::array<float, 3>;
 
 int64_t FloorOf(int64_t a, int64_t b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
 
@@ -51,6 +52,7 @@ class SumTable {
 // The grain of sources: what is left of their colour without the low frequencies.
 std::vector<Grain> GrainOf(const OrthoRaster& raster, const PixelMask& sources) {
   SquareLattice low = MedianSquares(raster, sources);
+  SmoothSquares(kLow / (low.pixels * raster.frame.texel), low);
   FillSquares(low);
   std::vector<Grain> grain(sources.size());
   for (int32_t y = 0; y < raster.frame.height; ++y) {
@@ -58,47 +60,34 @@ std::vector<Grain> GrainOf(const OrthoRaster& raster, const PixelMask& sources) 
       const size_t at = raster.frame.At(x, y);
       if (sources[at] == 0) continue;
       const Channels here = ChannelsOf(raster.colours[at]), mean = ValueAt(low, raster.frame, x, y);
-      for (size_t c = 0; c < 3; ++c)
-        grain[at][c] = static_cast<int8_t>(std::clamp(std::round(here[c] - mean[c]), -127.0F, 127.0F));
+      for (size_t c = 0; c < 3; ++c) grain[at][c] = here[c] - mean[c];
     }
   }
   return grain;
 }
 
-class Quilt {
+// Noise with the colours and the spectrum of windows of the sources.
+class SpotNoise {
  public:
-  Quilt(const OrthoRaster& raster, const PixelMask& sources)
+  SpotNoise(const OrthoRaster& raster, const PixelMask& sources)
       : frame_(raster.frame),
-        side_(std::max(4, static_cast<int32_t>(std::lround(kBlock / frame_.texel)))),
-        overlap_(std::max(1, static_cast<int32_t>(std::lround(kOverlap / frame_.texel)))),
-        grain_(GrainOf(raster, sources)),
-        made_(sources.size()),
-        placed_(sources.size()) {
+        side_(std::clamp(static_cast<int32_t>(std::lround(kWindow / frame_.texel)), 4, kMostWindow)),
+        grain_(GrainOf(raster, sources)) {
     FindWindows(sources);
+    TakeSpots();
   }
 
-  // Lays all blocks that meet `make`, from south-west to north-east.
-  void Lay(const PixelMask& make) {
-    const int64_t stride = side_ - overlap_;
-    const int64_t last_row = FloorOf(frame_.row + frame_.height - 1, stride),
-                  last_column = FloorOf(frame_.column + frame_.width - 1, stride);
-    for (int64_t j = FloorOf(frame_.row - side_, stride); j <= last_row; ++j) {
-      for (int64_t i = FloorOf(frame_.column - side_, stride); i <= last_column; ++i) {
-        const Window block{static_cast<int32_t>(i * stride - frame_.column),
-                           static_cast<int32_t>(j * stride - frame_.row)};
-        if (!windows_.empty() && Meets(make, block)) LayBlock(i, j, block);
+  void AddTo(const PixelMask& make, std::vector<Channels>& colours) const {
+    for (size_t k = 0; k < spots_.size(); ++k) AddSpot(static_cast<uint32_t>(k), make, colours);
+    if (!spots_.empty()) return;
+    for (int32_t y = 0; y < frame_.height; ++y) {
+      for (int32_t x = 0; x < frame_.width; ++x) {
+        const size_t at = frame_.At(x, y);
+        if (make[at] == 0) continue;
+        const float white = WhiteGrain(frame_.column + x, frame_.row + y, sigma_);
+        for (float& value : colours[at]) value += white;
       }
     }
-  }
-
-  void AddAt(int32_t x, int32_t y, Channels& colour) const {
-    const size_t at = frame_.At(x, y);
-    if (placed_[at] == 0) {
-      const float white = WhiteGrain(frame_.column + x, frame_.row + y, sigma_);
-      for (float& value : colour) value += white;
-      return;
-    }
-    for (size_t c = 0; c < 3; ++c) colour[c] += made_[at][c];
   }
 
  private:
@@ -109,7 +98,8 @@ class Quilt {
     for (int32_t y = 0; y < frame_.height; ++y) {
       for (int32_t x = 0; x < frame_.width; ++x) {
         const size_t at = frame_.At(x, y);
-        const int64_t grey = (int64_t{grain_[at][0]} + 2 * grain_[at][1] + grain_[at][2]) * sources[at];
+        const auto grey =
+            static_cast<int64_t>(std::lround(grain_[at][0] + 2 * grain_[at][1] + grain_[at][2])) * sources[at];
         known.Set(x, y, sources[at]);
         squares.Set(x, y, grey * grey);
         all += sources[at];
@@ -137,101 +127,59 @@ class Quilt {
     }
   }
 
-  bool Meets(const PixelMask& make, const Window& block) const {
-    for (int32_t y = std::max(0, block.y); y < std::min(frame_.height, block.y + side_); ++y) {
-      for (int32_t x = std::max(0, block.x); x < std::min(frame_.width, block.x + side_); ++x) {
-        if (make[frame_.At(x, y)] != 0) return true;
+  // Windows chosen by a hash, less their means, so scaled that the sum of all noises has the windows' deviation.
+  void TakeSpots() {
+    if (windows_.empty()) return;
+    const float scale = 1 / std::sqrt(static_cast<float>(kSpots) * static_cast<float>(side_ * side_));
+    for (uint32_t k = 0; k < kSpots; ++k) {
+      const Window& w = windows_[HashOfPlace(k, 0, 0x73706f74U) % windows_.size()];
+      std::vector<Grain>& spot = spots_.emplace_back();
+      Grain mean{};
+      for (int32_t y = 0; y < side_; ++y) {
+        for (int32_t x = 0; x < side_; ++x) {
+          spot.push_back(grain_[frame_.At(w.x + x, w.y + y)]);
+          for (size_t c = 0; c < 3; ++c) mean[c] += spot.back()[c] / static_cast<float>(side_ * side_);
+        }
+      }
+      for (Grain& g : spot) {
+        for (size_t c = 0; c < 3; ++c) g[c] = scale * (g[c] - mean[c]);
       }
     }
-    return false;
   }
 
-  // The squared difference to what is placed, at a pixel of the block; 0 where nothing is.
-  int32_t DifferenceAt(const Window& block, const Window& from, int32_t x, int32_t y) const {
-    if (!frame_.Has(block.x + x, block.y + y)) return 0;
-    const size_t old = frame_.At(block.x + x, block.y + y);
-    if (placed_[old] == 0) return 0;
-    const size_t fresh = frame_.At(from.x + x, from.y + y);
-    int32_t sum = 0;
-    for (size_t c = 0; c < 3; ++c) {
-      const int32_t d = int32_t{made_[old][c]} - grain_[fresh][c];
-      sum += d * d;
-    }
-    return sum;
-  }
-
-  // In the overlaps at the left and the bottom alone.
-  int64_t Misfit(const Window& block, const Window& from) const {
-    int64_t sum = 0;
-    for (int32_t y = 0; y < side_; ++y) {
-      const int32_t end = y < overlap_ ? side_ : overlap_;
-      for (int32_t x = 0; x < end; ++x) sum += DifferenceAt(block, from, x, y);
-    }
-    return sum;
-  }
-
-  // The cheapest cut through an overlap: for each of `side_` lines the place of the cut. `cost(line, place)`.
-  template <typename Cost>
-  std::vector<int32_t> Cut(const Cost& cost) const {
-    const auto width = static_cast<size_t>(overlap_);
-    std::vector<int64_t> sums(width * static_cast<size_t>(side_));
-    const auto best_before = [&](int32_t line, int32_t place) {
-      int32_t best = place;
-      for (int32_t k = std::max(0, place - 1); k <= std::min(overlap_ - 1, place + 1); ++k) {
-        const size_t before = static_cast<size_t>(line - 1) * width;
-        if (sums[before + static_cast<size_t>(k)] < sums[before + static_cast<size_t>(best)]) best = k;
-      }
-      return best;
-    };
-    for (int32_t line = 0; line < side_; ++line) {
-      for (int32_t place = 0; place < overlap_; ++place) {
-        int64_t& sum = sums[static_cast<size_t>(line) * width + static_cast<size_t>(place)];
-        sum = cost(line, place);
-        if (line > 0)
-          sum += sums[static_cast<size_t>(line - 1) * width + static_cast<size_t>(best_before(line, place))];
+  // The spot at every pixel of the lattice, with a random sign.
+  void AddSpot(uint32_t k, const PixelMask& make, std::vector<Channels>& colours) const {
+    const int32_t width = frame_.width + side_;
+    std::vector<float> white(static_cast<size_t>(width) * static_cast<size_t>(frame_.height + side_));
+    for (int32_t y = 0; y < frame_.height + side_; ++y) {
+      for (int32_t x = 0; x < width; ++x) {
+        const bool is_up = (HashOfPlace(frame_.column + x, frame_.row + y, k) & 1) != 0;
+        white[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)] = is_up ? 1.0F : -1.0F;
       }
     }
-    const auto last = sums.end() - overlap_;
-    std::vector<int32_t> cut(static_cast<size_t>(side_));
-    cut.back() = static_cast<int32_t>(std::min_element(last, sums.end()) - last);
-    for (int32_t line = side_ - 1; line > 0; --line) {
-      cut[static_cast<size_t>(line - 1)] = best_before(line, cut[static_cast<size_t>(line)]);
-    }
-    return cut;
-  }
-
-  void LayBlock(int64_t i, int64_t j, const Window& block) {
-    Window best{};
-    int64_t least = std::numeric_limits<int64_t>::max();
-    for (uint32_t k = 0; k < kCandidates; ++k) {
-      const Window& w = windows_[HashOfPlace(i, j, k) % windows_.size()];
-      const int64_t misfit = Misfit(block, w);
-      if (misfit < least) {
-        least = misfit;
-        best = w;
-      }
-    }
-    const std::vector<int32_t> left = Cut([&](int32_t y, int32_t x) { return DifferenceAt(block, best, x, y); });
-    const std::vector<int32_t> bottom = Cut([&](int32_t x, int32_t y) { return DifferenceAt(block, best, x, y); });
-    for (int32_t y = 0; y < side_; ++y) {
-      for (int32_t x = 0; x < side_; ++x) {
-        if (!frame_.Has(block.x + x, block.y + y)) continue;
-        const size_t at = frame_.At(block.x + x, block.y + y);
-        const bool before_cut = x < left[static_cast<size_t>(y)] || y < bottom[static_cast<size_t>(x)];
-        if (placed_[at] != 0 && before_cut) continue;
-        made_[at] = grain_[frame_.At(best.x + x, best.y + y)];
-        placed_[at] = 1;
+    for (int32_t y = 0; y < frame_.height; ++y) {
+      for (int32_t x = 0; x < frame_.width; ++x) {
+        const size_t at = frame_.At(x, y);
+        if (make[at] == 0) continue;
+        Channels sum{};
+        const Grain* spot = spots_[k].data();
+        for (int32_t dy = 0; dy < side_; ++dy) {
+          const float* row = &white[static_cast<size_t>(y + dy) * static_cast<size_t>(width) + static_cast<size_t>(x)];
+          for (int32_t dx = 0; dx < side_; ++dx, ++spot) {
+            for (size_t c = 0; c < 3; ++c) sum[c] += row[dx] * (*spot)[c];
+          }
+        }
+        for (size_t c = 0; c < 3; ++c) colours[at][c] += sum[c];
       }
     }
   }
 
   const RasterFrame& frame_;
-  const int32_t side_, overlap_;  // pixels
+  const int32_t side_;  // pixels
   double sigma_ = kWhiteSigma;
   std::vector<Grain> grain_;  // of the sources
-  std::vector<Grain> made_;
-  PixelMask placed_;
   std::vector<Window> windows_;
+  std::vector<std::vector<Grain>> spots_;
 };
 
 }  // namespace
@@ -263,14 +211,7 @@ float WhiteGrain(int64_t column, int64_t row, double sigma) {
 
 void AddGrain(const OrthoRaster& raster, const PixelMask& sources, const PixelMask& make,
               std::vector<Channels>& colours) {
-  Quilt quilt(raster, sources);
-  quilt.Lay(make);
-  for (int32_t y = 0; y < raster.frame.height; ++y) {
-    for (int32_t x = 0; x < raster.frame.width; ++x) {
-      const size_t at = raster.frame.At(x, y);
-      if (make[at] != 0) quilt.AddAt(x, y, colours[at]);
-    }
-  }
+  SpotNoise(raster, sources).AddTo(make, colours);
 }
 
 }  // namespace tilemend

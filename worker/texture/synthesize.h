@@ -45,7 +45,7 @@ inline constexpr int64_t kBytesPerPixel = 64;
 //    pixels at most 0.4 m above an opening of 20 m and within 1 m of the fill's height, 0.5 m away from the fill and
 //    from objects, and no shadows.
 //  - Rim: the step of colours at the rim is spread inward, and fades over some 2 m.
-//  - Grain: blocks of the sources' own grain (grain.h); of water white noise.
+//  - Grain: noise with the spectrum of the sources (grain.h); of water white noise.
 // All lattices are anchored to absolute coordinates: equal rasters of two cells give equal colours, and results depend
 // on nothing else. Cost: linear in the pixels of the raster; of the fill, in the length of its streamlines.
 std::vector<Rgb> Synthesize(const OrthoRaster& raster, const FillMap& fill, const FillLook& look);

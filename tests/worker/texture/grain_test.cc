@@ -62,7 +62,35 @@ TEST(GrainTest, AFillGetsTheGrainOfTheGround) {
   EXPECT_NEAR(made.deviation, 6, 1.2);  // of 21 equal steps: 6.06
 }
 
-TEST(GrainTest, NoBlockHoldsAMark) {
+// With few sources the same window came again at every block.
+TEST(GrainTest, NothingComesAgain) {
+  OrthoRaster raster = RasterOf(kFrame, [](int64_t x, int64_t y) {
+    const auto grey = static_cast<uint8_t>(90 + HashOfPlace(x / 3, y / 3, 9) % 21);
+    return Rgb{grey, grey, grey};
+  });
+  PixelMask sources(kFrame.size()), make(kFrame.size());
+  for (int32_t y = 10; y < 28; ++y) {
+    for (int32_t x = 10; x < 28; ++x) sources[kFrame.At(x, y)] = 1;
+  }
+  for (int32_t y = 40; y < 150; ++y) {
+    for (int32_t x = 40; x < 190; ++x) make[kFrame.At(x, y)] = 1;
+  }
+  std::vector<Channels> colours(kFrame.size(), Channels{0, 0, 0});
+  AddGrain(raster, sources, make, colours);
+  for (int32_t shift = 10; shift < 32; ++shift) {
+    double product = 0, squares = 0;
+    for (int32_t y = 40; y < 150; ++y) {
+      for (int32_t x = 40; x + shift < 190; ++x) {
+        const double here = colours[kFrame.At(x, y)][1];
+        product += here * colours[kFrame.At(x + shift, y)][1];
+        squares += here * here;
+      }
+    }
+    EXPECT_LT(std::abs(product), 0.15 * squares) << "after " << shift << " pixels";
+  }
+}
+
+TEST(GrainTest, NoGrainHoldsAMark) {
   OrthoRaster raster = RasterOf(kFrame, [](int64_t x, int64_t y) {
     const bool is_mark = x > 60 && x < 70 && y > 60 && y < 70;
     const auto grey = static_cast<uint8_t>(is_mark ? 250 : 90 + HashOfPlace(x, y, 9) % 5);
