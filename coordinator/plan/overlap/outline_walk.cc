@@ -34,6 +34,13 @@ struct Stretch {
   int layers = 0;
 };
 
+// Cuts of neighbouring faces may lie a hair apart, or before the corner: stretches without surface that are none.
+double LengthCovered(const std::vector<Stretch>& stretches) {
+  double covered = 0;
+  for (const Stretch& s : stretches) covered += s.layers > 0 ? s.end - s.begin : 0;
+  return covered;
+}
+
 class Walker {
  public:
   Walker(const SurveyRecord& record, const std::vector<bool>& taken, const Outline& outline, double piece_reach)
@@ -49,7 +56,7 @@ class Walker {
     CountLayers();
     OrderWherePiecesOverlap();
     if (events_.empty()) {
-      walk_.all_open = LengthCovered() < outline_.Length() / 2;
+      walk_.all_open = LengthCovered(stretches_) < outline_.Length() / 2;
     } else {
       CloseUpperSheets();
       Match();
@@ -154,13 +161,6 @@ class Walker {
       layers += it->second;
       if (end > it->first) stretches_.push_back({it->first, end, layers});
     }
-  }
-
-  // Cuts of neighbouring faces may lie a hair apart, or before the corner: stretches without surface that are none.
-  double LengthCovered() const {
-    double covered = 0;
-    for (const Stretch& s : stretches_) covered += s.layers > 0 ? s.end - s.begin : 0;
-    return covered;
   }
 
   // `place`, or the same one round farther, not before `from`.

@@ -117,6 +117,13 @@ class OutlineVertices {
   std::unordered_map<int32_t, int32_t> beside_;  // plan vertex on a grid line -> on the outline
 };
 
+// Between a cell's grid lines and its tile's outline, m2.
+double AreaBeyond(const ClipSquare& square, const Outline& outline) {
+  const auto& side = square.side;
+  return std::max(0.0,
+                  outline.Width() * outline.Height() - (side[kEast] - side[kWest]) * (side[kNorth] - side[kSouth]));
+}
+
 // The regions of one cell.
 class CellRegions {
  public:
@@ -161,7 +168,7 @@ class CellRegions {
       LinkParts link_parts(LengthOf(plan_, region), std::ssize(region));
       for (const OutlineGap& gap : members.gaps) AddGap(gap, first, line, link_parts, region);
       if (walk_.all_open && !line.empty() && members.gaps.empty()) AddRing(line, region);
-      if (!region.empty() && IsLostRegion(plan_, first.segments, region, AreaBeyondSquare())) {
+      if (!region.empty() && IsLostRegion(plan_, first.segments, region, AreaBeyond(square_, outline_))) {
         first.failure = kLost;
       } else if (whole < region.size()) {
         first.own_regions = {std::move(region)};
@@ -188,12 +195,6 @@ class CellRegions {
       for (size_t& h : group.holes) h = holes[h];
     }
     return groups;
-  }
-
-  double AreaBeyondSquare() const {
-    const auto& side = square_.side;
-    return std::max(0.0,
-                    outline_.Width() * outline_.Height() - (side[kEast] - side[kWest]) * (side[kNorth] - side[kSouth]));
   }
 
   bool IsChain(size_t e) const { return chain_[e] && !walk_.on_outline[e]; }
