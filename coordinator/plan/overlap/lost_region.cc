@@ -22,10 +22,9 @@ double AreaOf(const Plan& plan, const std::vector<RimSegment>& segments) {
 
 }  // namespace
 
-bool IsLostRegion(const Plan& plan, const std::vector<RimSegment>& hole, const std::vector<RimSegment>& region,
-                  double beyond) {
-  const double whole = AreaOf(plan, hole), own = AreaOf(plan, region);
-  return std::max(whole - own, own - whole - beyond) > std::max(kLostArea, kLostShare * whole);
+bool IsLostRegion(const Plan& plan, const std::vector<RimSegment>& hole, const std::vector<RimSegment>& region) {
+  const double whole = AreaOf(plan, hole);
+  return whole - AreaOf(plan, region) > std::max(kLostArea, kLostShare * whole);
 }
 
 }  // namespace tilemend

@@ -8,11 +8,10 @@
 
 namespace tilemend {
 
-// A tile's own region is its hole, and what lies beyond the grid lines up to the tile's outline: `beyond` m2 at most.
-// One that winds around a tenth of the hole's area less, or more than both, and 2 m2, has lost its way along chains of
-// pieces. Less than that is boundary that runs to and fro. Seen from above; both in vertices of the plan. O(segments).
-bool IsLostRegion(const Plan& plan, const std::vector<RimSegment>& hole, const std::vector<RimSegment>& region,
-                  double beyond);
+// A tile's own region reaches beyond its hole, up to the tile's outline. One that winds around less than nine tenths of
+// the hole's area, and 2 m2 less, has lost its way along chains of pieces. Less than that is boundary that runs to and
+// fro. Seen from above; both in vertices of the plan. O(segments).
+bool IsLostRegion(const Plan& plan, const std::vector<RimSegment>& hole, const std::vector<RimSegment>& region);
 
 }  // namespace tilemend
 

@@ -117,13 +117,6 @@ class OutlineVertices {
   std::unordered_map<int32_t, int32_t> beside_;  // plan vertex on a grid line -> on the outline
 };
 
-// Between a cell's grid lines and its tile's outline, m2.
-double AreaBeyond(const ClipSquare& square, const Outline& outline) {
-  const auto& side = square.side;
-  return std::max(0.0,
-                  outline.Width() * outline.Height() - (side[kEast] - side[kWest]) * (side[kNorth] - side[kSouth]));
-}
-
 // The regions of one cell.
 class CellRegions {
  public:
@@ -168,7 +161,7 @@ class CellRegions {
       LinkParts link_parts(LengthOf(plan_, region), std::ssize(region));
       for (const OutlineGap& gap : members.gaps) AddGap(gap, first, line, link_parts, region);
       if (walk_.all_open && !line.empty() && members.gaps.empty()) AddRing(line, region);
-      if (!region.empty() && IsLostRegion(plan_, first.segments, region, AreaBeyond(square_, outline_))) {
+      if (!region.empty() && IsLostRegion(plan_, first.segments, region)) {
         first.failure = kLost;
       } else if (whole < region.size()) {
         first.own_regions = {std::move(region)};
