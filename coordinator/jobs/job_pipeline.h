@@ -24,6 +24,7 @@
 #include "common/grid/scene.h"
 #include "common/util/stage.h"
 #include "coordinator/jobs/job_folders.h"
+#include "coordinator/jobs/job_notes.h"
 #include "coordinator/state/job.h"
 #include "tilemend/v1/job_spec.pb.h"
 
@@ -95,6 +96,9 @@ class JobPipeline {
 
   // What may be shown of the scene, from before Start to long after the end. Called once, after Folders. Null: nothing.
   virtual std::shared_ptr<const SceneSight> Sight() const { return nullptr; }
+
+  // Where the pipeline keeps what it need not find out again. Called once, before Resume and Start.
+  virtual void UseNotes(std::shared_ptr<JobNotes> /*notes*/) {}
 
   // The job began with another pipeline, perhaps in an earlier process. Called before Start, at most once.
   virtual void Resume(Resumption /*why*/) {}

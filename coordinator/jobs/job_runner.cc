@@ -6,6 +6,7 @@
 
 #include "absl/strings/cord.h"
 #include "absl/strings/str_cat.h"
+#include "common/store/digest.h"
 #include "common/util/error_info.h"
 #include "common/util/failpoint.h"
 #include "common/util/status_macros.h"
@@ -153,7 +154,8 @@ absl::StatusOr<bool> JobRunner::PrepareToBeginAgain(std::unique_ptr<JobPipeline>
   }
   pipeline.reset();
   TILEMEND_RETURN_IF_ERROR(sink_.begins_again());
-  for (const std::string& input : std::exchange(outstanding_, {})) blobs_->LetGo(input);
+  outstanding_ = 0;
+  for (const std::string& input : std::exchange(held_inputs_, {})) blobs_->LetGo(input);
   resumes_ = Resumption::kRevocation;
   std::lock_guard<std::mutex> lock(mutex_);
   // No task is out, so that no more come.
@@ -189,11 +191,12 @@ absl::StatusOr<JobOutcome> JobRunner::RunPipeline(std::unique_ptr<JobPipeline>& 
     TILEMEND_ASSIGN_OR_RETURN(JobFolders folders, pipeline->Folders());
     sink_.folders(std::move(folders));
     sink_.sight(pipeline->Sight());
+    pipeline->UseNotes(sink_.notes);
     if (resumes_) pipeline->Resume(*resumes_);
     TILEMEND_ASSIGN_OR_RETURN(std::vector<NewTask> first, pipeline->Start());
     TILEMEND_RETURN_IF_ERROR(AddTasks(*pipeline, std::move(first)));
     while (!pipeline->Done()) {
-      if (outstanding_.empty()) {
+      if (outstanding_ == 0) {
         return absl::InternalError("the pipeline is not done, yet has no task left: this is a bug in tilemend");
       }
       TILEMEND_ASSIGN_OR_RETURN(std::deque<Delivery> deliveries, NextDeliveries());
@@ -225,8 +228,11 @@ absl::Status JobRunner::TakeDelivery(JobPipeline& pipeline, Delivery delivery) {
     TILEMEND_RETURN_IF_ERROR(failure_);
   }
   if (delivery.content.has_value()) queued_bytes_ -= delivery.content->size();
-  outstanding_.erase(outstanding_.find(delivery.task.input));
-  blobs_->LetGo(delivery.task.input);
+  --outstanding_;
+  if (!delivery.task.known) {
+    held_inputs_.erase(held_inputs_.find(delivery.task.input));
+    blobs_->LetGo(delivery.task.input);
+  }
   TILEMEND_ASSIGN_OR_RETURN(TaskResult result, ToResult(delivery.task, std::move(delivery.content), *blobs_));
   TILEMEND_ASSIGN_OR_RETURN(std::vector<NewTask> tasks, pipeline.OnTaskDone(std::move(result)));
   if (const auto caught = pipeline.Caught()) {
@@ -241,11 +247,16 @@ absl::Status JobRunner::AddTasks(JobPipeline& pipeline, std::vector<NewTask> tas
   std::vector<TaskSpec> specs;
   specs.reserve(tasks.size());
   for (NewTask& task : tasks) {
-    TILEMEND_ASSIGN_OR_RETURN(std::string digest, blobs_->Hold(std::move(task.input)));
-    outstanding_.insert(digest);
-    specs.push_back({task.cell, task.stage, std::move(digest), {}, {}, std::move(task.avoid)});
+    specs.push_back({task.cell, task.stage, Sha256Hex(task.input), {}, {}, std::move(task.avoid)});
   }
-  return sink_.add_tasks(std::move(specs), pipeline.GetProgress());
+  TILEMEND_ASSIGN_OR_RETURN(TaskContents contents, sink_.recall(specs));
+  for (size_t i = 0; i < tasks.size(); ++i) {
+    if (specs[i].known) continue;  // nobody reads its input
+    TILEMEND_RETURN_IF_ERROR(blobs_->Hold(std::move(tasks[i].input)).status());
+    held_inputs_.insert(specs[i].input);
+  }
+  outstanding_ += static_cast<int64_t>(specs.size());
+  return sink_.add_tasks(std::move(specs), std::move(contents), pipeline.GetProgress());
 }
 
 }  // namespace tilemend

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -13,9 +14,11 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/store/file_receipt.h"
+#include "coordinator/jobs/job_notes.h"
 #include "coordinator/jobs/job_pipeline.h"
 #include "coordinator/jobs/random_share.h"
 #include "tilemend/v1/stages.pb.h"
+#include "tilemend/v1/verify.pb.h"
 
 namespace tilemend {
 
@@ -34,7 +37,10 @@ class OutputVerification {
  public:
   // `share` of the files is verified, 0 to 1.
   explicit OutputVerification(double share);
-  // Verifies all files, unless the share is 0: some were placed by an earlier process. Call before anything is added.
+  // Before anything is added: `notes` tells which files were verified before, `key` is that of the share.
+  void UseNotes(std::shared_ptr<JobNotes> notes, uint64_t key);
+  // Verifies all files that no note tells of, unless the share is 0: some were placed by an earlier process. Call
+  // before anything is added.
   void IncludeAll() { resumed_ = true; }
 
   // Files that were written for a cell.
@@ -79,6 +85,10 @@ class OutputVerification {
     const Target* target;
     bool is_contradicted;  // a worker read the file and found another digest; else no worker could tell
   };
+  struct Comparison {
+    std::vector<Doubt> doubts;
+    std::vector<std::string> notes;  // of all targets, as they are now
+  };
   struct Batch {
     std::string told_by;
     std::vector<Target> targets;
@@ -93,10 +103,13 @@ class OutputVerification {
   std::string PathOf(const Target& target) const;
   bool IsChosen(const std::string& path) const;
   NewTask TaskOf(const Batch& batch);
+  // With what a worker read; null: it could not.
+  Comparison Compare(const Batch& batch, const v1::VerifyOutput* output) const;
   // Reads the file and decides whether `told_by` is wrong. Errors of Take.
   absl::StatusOr<std::optional<CaughtWorker>> Judge(const std::string& told_by, const Target& target) const;
 
   RandomShare share_;
+  std::shared_ptr<JobNotes> notes_ = std::make_shared<JobNotes>();
   bool resumed_ = false;
   std::map<std::string, Batch> waiting_;  // by who reported
   std::deque<Batch> full_;

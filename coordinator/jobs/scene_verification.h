@@ -8,6 +8,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "coordinator/jobs/job_notes.h"
 #include "coordinator/jobs/job_pipeline.h"
 #include "coordinator/jobs/output_verification.h"
 #include "coordinator/jobs/result_recomputation.h"
@@ -28,6 +29,8 @@ class SceneVerification {
  public:
   // `output` is the output's folder; empty: nothing is verified.
   SceneVerification(VerifiedShares shares, std::string output, std::shared_ptr<ScratchFile> scratch);
+  // Before anything is added: what was verified before is not verified again, and the same is chosen as before.
+  void UseNotes(const std::shared_ptr<JobNotes>& notes);
   // As OutputVerification::IncludeAll.
   void IncludeAll() { files_.IncludeAll(); }
 
