@@ -45,6 +45,7 @@ class JournalNotes : public JobNotes {
     if (!text.empty()) note.output = Sha256Hex(text), note.content = text;
     journal_->PutResult(job_, TaskOf(name), std::move(note));
   }
+  void Await() override { journal_->Await(); }
 
  private:
   TaskName TaskOf(const std::string& name) const {

@@ -9,7 +9,7 @@
 
 #include "absl/status/statusor.h"
 #include "coordinator/jobs/cluster.h"
-#include "coordinator/jobs/job_notes.h"
+#include "coordinator/store/job_notes.h"
 #include "coordinator/state/event.h"
 #include "tilemend/v1/jobs.pb.h"
 

@@ -14,7 +14,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/store/file_receipt.h"
-#include "coordinator/jobs/job_notes.h"
+#include "coordinator/store/job_notes.h"
 #include "coordinator/jobs/job_pipeline.h"
 #include "coordinator/jobs/random_share.h"
 #include "tilemend/v1/stages.pb.h"

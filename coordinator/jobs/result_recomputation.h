@@ -12,7 +12,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "coordinator/jobs/job_notes.h"
+#include "coordinator/store/job_notes.h"
 #include "coordinator/jobs/job_pipeline.h"
 #include "coordinator/jobs/random_share.h"
 #include "coordinator/store/scratch_file.h"

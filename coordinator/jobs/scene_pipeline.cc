@@ -197,7 +197,10 @@ class ScenePipeline : public JobPipeline {
 
   std::shared_ptr<const SceneSight> Sight() const override { return steps_.sight; }
 
-  void UseNotes(std::shared_ptr<JobNotes> notes) override { verification_.UseNotes(notes); }
+  void UseNotes(std::shared_ptr<JobNotes> notes) override {
+    verification_.UseNotes(notes);
+    if (output_) output_->UseNotes(std::move(notes));
+  }
 
   void Resume(Resumption why) override {
     opening_ = why == Resumption::kRestart ? ResultLog::Opening::kSameJob : ResultLog::Opening::kSameJobAnew;

@@ -8,7 +8,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "coordinator/jobs/job_notes.h"
+#include "coordinator/store/job_notes.h"
 #include "coordinator/jobs/job_pipeline.h"
 #include "coordinator/jobs/output_verification.h"
 #include "coordinator/jobs/result_recomputation.h"

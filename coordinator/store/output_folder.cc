@@ -205,6 +205,8 @@ absl::Status CheckSame(const AttemptFile& file, const std::string& written, cons
       {"OUTPUT_EXISTS", {}});
 }
 
+std::string NoteOfOwn(const std::string& file) { return absl::StrCat("own ", file); }
+
 // A file as it was placed. A hard link to it, as by a backup, changes the stamp and no byte.
 bool IsThere(const std::string& path, int64_t bytes, const std::string& digest, const std::string& stamp) {
   const auto look = LookAt(path, Links::kKeep);
@@ -256,6 +258,8 @@ OutputFolder::OutputFolder(OutputFolder&& other) noexcept
       keep_(other.keep_),
       wrote_(other.wrote_),
       leaves_files_(other.leaves_files_),
+      notes_(other.notes_),
+      own_(std::move(other.own_)),
       attempts_(std::exchange(other.attempts_, std::nullopt)) {}
 
 OutputFolder::~OutputFolder() {
@@ -289,15 +293,34 @@ void OutputFolder::Adopt(const std::set<std::string>& files) {
   for (const std::string& file : files) files_.try_emplace(file);
 }
 
-absl::Status OutputFolder::Place(const AttemptFile& file) {
-  if (!files_.contains(file.path)) return Keep(file);
-  const std::string path = absl::StrCat(path_, "/", file.path);
-  if (leaves_files_ && KindOf(path) != PathKind::kNothing) {
-    TILEMEND_RETURN_IF_ERROR(CheckSame(file, absl::StrCat(attempts_->path(), "/", file.attempt), path));
-  } else {
-    TILEMEND_RETURN_IF_ERROR(attempts_->Place(file, path_));
+void OutputFolder::NoteOwn(const std::vector<AttemptFile>& files) {
+  bool is_any = false;
+  for (const AttemptFile& file : files) {
+    if (!files_.contains(file.path) || IsOwn(file.path)) continue;
+    if (KindOf(absl::StrCat(path_, "/", file.path)) != PathKind::kNothing) continue;
+    notes_->Put(NoteOfOwn(file.path), "");
+    own_.insert(file.path);
+    is_any = true;
   }
-  return Keep(file);
+  if (is_any) notes_->Await();
+}
+
+bool OutputFolder::IsOwn(const std::string& file) const {
+  return own_.contains(file) || notes_->Has(NoteOfOwn(file));
+}
+
+absl::Status OutputFolder::Place(const std::vector<AttemptFile>& files) {
+  if (leaves_files_) NoteOwn(files);
+  for (const AttemptFile& file : files) {
+    const bool is_left = leaves_files_ && !IsOwn(file.path);
+    if (files_.contains(file.path)) {
+      const std::string written = absl::StrCat(attempts_->path(), "/", file.attempt);
+      TILEMEND_RETURN_IF_ERROR(is_left ? CheckSame(file, written, absl::StrCat(path_, "/", file.path))
+                                       : attempts_->Place(file, path_));
+    }
+    TILEMEND_RETURN_IF_ERROR(Keep(file));
+  }
+  return absl::OkStatus();
 }
 
 absl::Status OutputFolder::Keep(const AttemptFile& file) {

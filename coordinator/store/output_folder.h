@@ -17,6 +17,7 @@
 #include "common/grid/scene.h"
 #include "coordinator/store/attempt_folder.h"
 #include "coordinator/store/job_marker.h"
+#include "coordinator/store/job_notes.h"
 
 namespace tilemend {
 
@@ -53,11 +54,12 @@ class OutputFolder {
   absl::Status BeginWriting();
   // These files, relative, belong to this output as well.
   void Adopt(const std::set<std::string>& files);
-  // From now on Place leaves a file that is there already as it is. kAlreadyExists (OUTPUT_EXISTS) if it is not the
-  // same.
+  // From now on Place leaves a file that others put there as it is. kAlreadyExists (OUTPUT_EXISTS) if it is not the
+  // same. A file that this job put there is replaced, also by another process of it that has the same notes.
   void LeaveFiles() { leaves_files_ = true; }
-  // Gives a file of an attempt its name. kInvalidArgument if it is none of this output's; errors of AttemptFolder.
-  absl::Status Place(const AttemptFile& file);
+  void UseNotes(std::shared_ptr<JobNotes> notes) { notes_ = std::move(notes); }
+  // Gives files of an attempt their names. kInvalidArgument if one is none of this output's; errors of AttemptFolder.
+  absl::Status Place(const std::vector<AttemptFile>& files);
   // The file is there already, as it is to be. Errors as Place.
   absl::Status Keep(const AttemptFile& file);
   // Whether a complete output lies there.
@@ -83,6 +85,9 @@ class OutputFolder {
   // Makes the folder, and locks the marker in it.
   absl::Status Lock();
   absl::Status WriteKey();
+  // Notes which of the files will be this job's own, since there is none of that name. Durable.
+  void NoteOwn(const std::vector<AttemptFile>& files);
+  bool IsOwn(const std::string& file) const;
   // Whether there is nothing in the folder that a job, run again, could know as done.
   bool IsBare() const;
 
@@ -94,6 +99,8 @@ class OutputFolder {
   bool keep_ = false;                    // the marker is to stay
   bool wrote_ = false;                   // this process
   bool leaves_files_ = false;
+  std::shared_ptr<JobNotes> notes_ = std::make_shared<JobNotes>();
+  std::set<std::string> own_;              // of this process, if leaves_files_
   std::optional<AttemptFolder> attempts_;  // while the folder is claimed
 };
 

@@ -254,9 +254,9 @@ class PlacedFilesTest : public OutputFolderTest {
 
 TEST_F(PlacedFilesTest, GetTheirNames) {
   const AttemptFile file = Attempt();
-  ASSERT_TRUE(output_->Place(file).ok());
+  ASSERT_TRUE(output_->Place({file}).ok());
   EXPECT_EQ(ReadFile(out_ + "/tiles/a.ply").value(), "filled");
-  EXPECT_TRUE(output_->Place(file).ok()) << "again, after a restart";
+  EXPECT_TRUE(output_->Place({file}).ok()) << "again, after a restart";
   EXPECT_TRUE(SeeAll().ok());
   EXPECT_EQ(output_->TidyUp(), 0);
   output_->Finish();
@@ -265,22 +265,22 @@ TEST_F(PlacedFilesTest, GetTheirNames) {
 
 TEST_F(PlacedFilesTest, MustBeThereAndOfThisOutput) {
   AttemptFile gone = Attempt();
-  ASSERT_TRUE(output_->Place(gone).ok());
+  ASSERT_TRUE(output_->Place({gone}).ok());
   gone.bytes += 1;
-  EXPECT_TRUE(absl::IsUnavailable(output_->Place(gone))) << "another file has the name";
+  EXPECT_TRUE(absl::IsUnavailable(output_->Place({gone}))) << "another file has the name";
   AttemptFile strange = Attempt();
   strange.path = "../mine.txt";
-  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place(strange)));
+  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place({strange})));
   AttemptFile outside = Attempt();
   outside.attempt = "../../../scene/tiles/a.ply";
-  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place(outside)));
+  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place({outside})));
   outside.attempt = "key";
-  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place(outside)));
+  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place({outside})));
   EXPECT_TRUE(Exists("scene/tiles/a.ply"));
 }
 
 TEST_F(PlacedFilesTest, AreMissedWhenTheyAreGoneOrChanged) {
-  ASSERT_TRUE(output_->Place(Attempt()).ok());
+  ASSERT_TRUE(output_->Place({Attempt()}).ok());
   EXPECT_TRUE(SeeAll().ok());
   folder_.Write("deep/out/tiles/a.ply", "cut");
   EXPECT_TRUE(absl::IsAborted(SeeAll()));
@@ -292,7 +292,7 @@ TEST_F(PlacedFilesTest, AreMissedWhenTheyAreGoneOrChanged) {
 
 TEST_F(PlacedFilesTest, AreMissedWhenTheyHaveOtherBytesOfTheSameSize) {
   const fs::file_time_type later = fs::file_time_type::clock::now() + std::chrono::hours(1);
-  ASSERT_TRUE(output_->Place(Attempt()).ok());
+  ASSERT_TRUE(output_->Place({Attempt()}).ok());
   fs::last_write_time(tile_, later);
   EXPECT_TRUE(SeeAll().ok()) << "other times alone";
   folder_.Write("deep/out/tiles/a.ply", "killed");
@@ -306,14 +306,14 @@ TEST_F(PlacedFilesTest, AreMissedWhenTheyHaveOtherBytesOfTheSameSize) {
 }
 
 TEST_F(PlacedFilesTest, AreMissedWhereALinkIsInTheirPlace) {
-  ASSERT_TRUE(output_->Place(Attempt()).ok());
+  ASSERT_TRUE(output_->Place({Attempt()}).ok());
   fs::rename(tile_, folder_ / "moved.ply");
   fs::create_symlink(folder_ / "moved.ply", tile_);
   EXPECT_TRUE(absl::IsAborted(SeeAll()));
 }
 
 TEST_F(PlacedFilesTest, AreLookedAtUntilTheJobIsToEnd) {
-  ASSERT_TRUE(output_->Place(Attempt()).ok());
+  ASSERT_TRUE(output_->Place({Attempt()}).ok());
   EXPECT_TRUE(absl::IsCancelled(output_->SeeAll([] { return true; })));
 }
 
@@ -322,7 +322,7 @@ TEST_F(PlacedFilesTest, OutliveTheProcessUntilTheyArePlaced) {
   output_.reset();
   auto again = Claim(out_);
   ASSERT_TRUE(again.ok()) << again.status();
-  EXPECT_TRUE(again->Place(file).ok());
+  EXPECT_TRUE(again->Place({file}).ok());
 }
 
 TEST_F(PlacedFilesTest, HaveAKeyThatStays) {

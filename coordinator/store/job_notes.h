@@ -1,6 +1,6 @@
 // What a job has found out and need not find out again after a restart of the coordinator.
-#ifndef TILEMEND_COORDINATOR_JOBS_JOB_NOTES_H_
-#define TILEMEND_COORDINATOR_JOBS_JOB_NOTES_H_
+#ifndef TILEMEND_COORDINATOR_STORE_JOB_NOTES_H_
+#define TILEMEND_COORDINATOR_STORE_JOB_NOTES_H_
 
 #include <optional>
 #include <string>
@@ -18,8 +18,10 @@ class JobNotes {
 
   // `worker` is who said so, "" for nobody. If its results are revoked, the note is dropped.
   virtual void Put(const std::string& /*name*/, const std::string& /*worker*/, const std::string& /*text*/ = "") {}
+  // Waits until what was put is durable.
+  virtual void Await() {}
 };
 
 }  // namespace tilemend
 
-#endif  // TILEMEND_COORDINATOR_JOBS_JOB_NOTES_H_
+#endif  // TILEMEND_COORDINATOR_STORE_JOB_NOTES_H_
