@@ -6,7 +6,9 @@
 
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <set>
 
 #include "absl/strings/str_cat.h"
 #include "common/store/digest.h"
@@ -323,6 +325,43 @@ TEST_F(PlacedFilesTest, OutliveTheProcessUntilTheyArePlaced) {
   auto again = Claim(out_);
   ASSERT_TRUE(again.ok()) << again.status();
   EXPECT_TRUE(again->Place({file}).ok());
+}
+
+// In memory, over all that use it.
+class Notes : public JobNotes {
+ public:
+  std::optional<std::string> Find(const std::string& name) const override {
+    return durable_.contains(name) ? std::optional<std::string>("") : std::nullopt;
+  }
+  void Put(const std::string& name, const std::string& /*worker*/, const std::string& /*text*/) override {
+    put_.insert(name);
+  }
+  void Await() override { durable_.merge(put_); }
+
+ private:
+  std::set<std::string> put_, durable_;
+};
+
+TEST_F(PlacedFilesTest, OfOthersAreLeftAndOwnOnesReplaced) {
+  const auto notes = std::make_shared<Notes>();
+  output_->LeaveFiles();
+  output_->UseNotes(notes);
+  folder_.Write("deep/out/tiles/a.ply", "theirs");
+  const auto other = output_->Place({Attempt("filled")});
+  EXPECT_EQ(ErrorReason(other), "OUTPUT_EXISTS") << other;
+  EXPECT_TRUE(output_->Place({Attempt("theirs")}).ok()) << "the same bytes";
+  fs::remove(tile_);
+  ASSERT_TRUE(output_->Place({Attempt("wrong")}).ok());
+  ASSERT_TRUE(output_->Place({Attempt("filled")}).ok());
+  EXPECT_EQ(ReadFile(tile_).value(), "filled");
+  for (const bool is_known : {true, false}) {
+    output_.reset();
+    output_.emplace(*Claim(out_));
+    output_->LeaveFiles();
+    if (is_known) output_->UseNotes(notes);
+    EXPECT_EQ(output_->Place({Attempt(is_known ? "mended" : "of another job")}).ok(), is_known);
+    EXPECT_EQ(ReadFile(tile_).value(), "mended");
+  }
 }
 
 TEST_F(PlacedFilesTest, HaveAKeyThatStays) {
