@@ -5,6 +5,7 @@
 #include <atomic>
 #include <string>
 
+#include "absl/strings/str_cat.h"
 #include "absl/time/clock.h"
 #include "common/rpc/receipt_payloads.h"
 #include "common/util/files.h"
@@ -78,9 +79,10 @@ class OwnWrongTilesTest : public UntrustedWorkerTest, public ::testing::WithPara
     return job.ok() ? job->name() : "";
   }
   v1::Job Run(const v1::JobSpec& spec) {
-    cluster_.AddWorker("honest", 2, SceneStageRunner());
+    const std::string worker = absl::StrCat("honest", ++runs_);
+    cluster_.AddWorker(worker, 2, SceneStageRunner());
     v1::Job job = cluster_.WaitFor(Submit(spec));
-    cluster_.KillWorker("honest");
+    cluster_.KillWorker(worker);
     return job;
   }
   v1::Job RunWithLiar(const v1::JobSpec& spec) {
@@ -102,6 +104,9 @@ class OwnWrongTilesTest : public UntrustedWorkerTest, public ::testing::WithPara
     ASSERT_EQ(job.state(), v1::DONE) << job.error().message();
     EXPECT_THAT(job.warnings(), Contains(HasSubstr("worker liar wrote something else than it reported to")));
   }
+
+ private:
+  int runs_ = 0;
 };
 
 TEST_P(OwnWrongTilesTest, OfCellsThatAreAddedAreReplaced) {

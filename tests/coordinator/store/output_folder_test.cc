@@ -8,12 +8,12 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <set>
 
 #include "absl/strings/str_cat.h"
 #include "common/store/digest.h"
 #include "common/util/error_info.h"
 #include "common/util/files.h"
+#include "tests/coordinator/store/notes_in_memory.h"
 #include "tests/support/temporary_folder.h"
 
 namespace tilemend {
@@ -327,23 +327,8 @@ TEST_F(PlacedFilesTest, OutliveTheProcessUntilTheyArePlaced) {
   EXPECT_TRUE(again->Place({file}).ok());
 }
 
-// In memory, over all that use it.
-class Notes : public JobNotes {
- public:
-  std::optional<std::string> Find(const std::string& name) const override {
-    return durable_.contains(name) ? std::optional<std::string>("") : std::nullopt;
-  }
-  void Put(const std::string& name, const std::string& /*worker*/, const std::string& /*text*/) override {
-    put_.insert(name);
-  }
-  void Await() override { durable_.merge(put_); }
-
- private:
-  std::set<std::string> put_, durable_;
-};
-
 TEST_F(PlacedFilesTest, OfOthersAreLeftAndOwnOnesReplaced) {
-  const auto notes = std::make_shared<Notes>();
+  const auto notes = std::make_shared<NotesInMemory>();
   output_->LeaveFiles();
   output_->UseNotes(notes);
   folder_.Write("deep/out/tiles/a.ply", "theirs");
