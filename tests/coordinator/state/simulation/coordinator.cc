@@ -220,8 +220,9 @@ void Coordinator::BeginAgain(const std::string& id, int beginning) {
   Require(Apply(JobRedone{id}).has_value(), "a job could not begin again");
   entry.pipeline = std::make_unique<Pipeline>(id);
   entry.wrong.clear();
-  WhenDurable([this, process = process_, id, beginning] {
-    if (process_ != process || entries_.at(id).beginnings != beginning) return;
+  // Since the revocation more was settled: it is found when it is asked for.
+  WhenDurable([this, process = process_, id, last = ++entry.beginnings] {
+    if (process_ != process || entries_.at(id).beginnings != last) return;
     if (!IsOver(state_->FindJob(id)->state)) AddTasks(id, entries_.at(id).pipeline->Start());
   });
 }
