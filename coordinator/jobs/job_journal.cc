@@ -98,8 +98,9 @@ absl::StatusOr<TaskContents> JobJournal::Recall(const std::string& job, std::vec
   }
   size_t bytes = 0;
   for (TaskSpec& task : tasks) {
-    TILEMEND_ASSIGN_OR_RETURN(std::optional<ResultRecord> found,
-                              cluster_.journal->Find(number, NameOf(cluster_.options.build, task.cell, task.stage, task.input)));
+    TILEMEND_ASSIGN_OR_RETURN(
+        std::optional<ResultRecord> found,
+        cluster_.journal->Find(number, NameOf(cluster_.options.build, task.cell, task.stage, task.input)));
     if (!found) continue;
     if (!IsSettled(found->state)) {
       task.lost_workers = std::move(found->lost_workers);

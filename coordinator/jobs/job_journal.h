@@ -9,8 +9,8 @@
 
 #include "absl/status/statusor.h"
 #include "coordinator/jobs/cluster.h"
-#include "coordinator/store/job_notes.h"
 #include "coordinator/state/event.h"
+#include "coordinator/store/job_notes.h"
 #include "tilemend/v1/jobs.pb.h"
 
 namespace tilemend {

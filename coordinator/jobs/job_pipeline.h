@@ -24,8 +24,8 @@
 #include "common/grid/scene.h"
 #include "common/util/stage.h"
 #include "coordinator/jobs/job_folders.h"
-#include "coordinator/store/job_notes.h"
 #include "coordinator/state/job.h"
+#include "coordinator/store/job_notes.h"
 #include "tilemend/v1/job_spec.pb.h"
 
 namespace tilemend {

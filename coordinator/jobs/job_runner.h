@@ -18,10 +18,10 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "coordinator/store/job_notes.h"
 #include "coordinator/jobs/job_pipeline.h"
 #include "coordinator/state/event.h"
 #include "coordinator/store/blob_folder.h"
+#include "coordinator/store/job_notes.h"
 
 namespace tilemend {
 

@@ -114,9 +114,10 @@ void JobRuns::Resume(const std::string& id, JobRunner::Mode mode) {
 
 JobRunner::Sink JobRuns::SinkOf(const std::string& id) {
   return {.recall = [this, id](std::vector<TaskSpec>& tasks) { return journal_.Recall(id, tasks); },
-          .add_tasks = [this, id](std::vector<TaskSpec> tasks, TaskContents contents,
-                                  const Progress& progress) {
-                return OnTasks(id, std::move(tasks), std::move(contents), progress); },
+          .add_tasks =
+              [this, id](std::vector<TaskSpec> tasks, TaskContents contents, const Progress& progress) {
+                return OnTasks(id, std::move(tasks), std::move(contents), progress);
+              },
           .await = [this] { cluster_.journal->Await(); },
           .completed = [this, id](const JobOutcome& outcome,
                                   const Progress& progress) { OnCompleted(id, outcome, progress); },

@@ -14,9 +14,9 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/store/file_receipt.h"
-#include "coordinator/store/job_notes.h"
 #include "coordinator/jobs/job_pipeline.h"
 #include "coordinator/jobs/random_share.h"
+#include "coordinator/store/job_notes.h"
 #include "tilemend/v1/stages.pb.h"
 #include "tilemend/v1/verify.pb.h"
 

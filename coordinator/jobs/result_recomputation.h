@@ -12,9 +12,9 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "coordinator/store/job_notes.h"
 #include "coordinator/jobs/job_pipeline.h"
 #include "coordinator/jobs/random_share.h"
+#include "coordinator/store/job_notes.h"
 #include "coordinator/store/scratch_file.h"
 
 namespace tilemend {
@@ -56,7 +56,7 @@ class ResultRecomputation {
     CellId cell;
     Stage stage = Stage::kSurvey;
     ScratchFile::Place input;
-    std::string note;                // once there is a result: that another worker came to the same
+    std::string note;               // once there is a result: that another worker came to the same
     std::vector<Opinion> opinions;  // the first is that of the result, then those of the workers that computed it again
   };
   absl::StatusOr<std::optional<CaughtWorker>> Decide(const Computed& computed) const;

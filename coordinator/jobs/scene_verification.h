@@ -8,11 +8,11 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "coordinator/store/job_notes.h"
 #include "coordinator/jobs/job_pipeline.h"
 #include "coordinator/jobs/output_verification.h"
 #include "coordinator/jobs/result_recomputation.h"
 #include "coordinator/jobs/stage_output.h"
+#include "coordinator/store/job_notes.h"
 #include "coordinator/store/scratch_file.h"
 #include "coordinator/waves/scene_waves.h"
 

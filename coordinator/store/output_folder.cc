@@ -305,9 +305,7 @@ void OutputFolder::NoteOwn(const std::vector<AttemptFile>& files) {
   if (is_any) notes_->Await();
 }
 
-bool OutputFolder::IsOwn(const std::string& file) const {
-  return own_.contains(file) || notes_->Has(NoteOfOwn(file));
-}
+bool OutputFolder::IsOwn(const std::string& file) const { return own_.contains(file) || notes_->Has(NoteOfOwn(file)); }
 
 absl::Status OutputFolder::Place(const std::vector<AttemptFile>& files) {
   if (leaves_files_) NoteOwn(files);

@@ -3,13 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <memory>
 #include <string>
+#include <tuple>
 
 #include "absl/strings/str_cat.h"
 #include "absl/time/clock.h"
 #include "common/rpc/receipt_payloads.h"
 #include "common/util/files.h"
 #include "tests/integration/worker_lies.h"
+#include "tests/support/postgres_server.h"
 #include "tests/support/untrusted_workers.h"
 
 namespace tilemend {
@@ -54,14 +57,26 @@ class LiarOnce {
   std::atomic<bool> has_lied_{false}, may_go_on_{false};
 };
 
-// Whether the coordinator starts again between the lie and its discovery.
-class OwnWrongTilesTest : public UntrustedWorkerTest, public ::testing::WithParamInterface<bool> {
+enum class JournalKind { kSqlite, kPostgres };
+
+// Whether the coordinator starts again between the lie and its discovery, and where its journal is.
+class OwnWrongTilesTest : public UntrustedWorkerTest,
+                          public ::testing::WithParamInterface<std::tuple<bool, JournalKind>> {
  protected:
   OwnWrongTilesTest() : UntrustedWorkerTest(WithoutReading()) {}
+  static void TearDownTestSuite() { server_.reset(); }
+  void SetUp() override {
+    if (is_with_postgres() && server_ == nullptr) GTEST_SKIP() << "PostgreSQL is not installed";
+  }
+  static bool restarts() { return std::get<0>(GetParam()); }
+  static bool is_with_postgres() { return std::get<1>(GetParam()) == JournalKind::kPostgres; }
   static ClusterOptions WithoutReading() {
+    // An empty one for each test.
+    if (is_with_postgres() && !PostgresServer::Programs().empty()) server_ = std::make_unique<PostgresServer>();
     ClusterOptions options = Options();
     options.check_result = SceneResultCheck(TileCheck::kSize);
     options.durable = true;
+    if (is_with_postgres() && server_ != nullptr) options.postgres = server_->where();
     return options;
   }
   v1::JobSpec SpecOf(const std::string& out, const std::string& cells) const {
@@ -91,9 +106,9 @@ class OwnWrongTilesTest : public UntrustedWorkerTest, public ::testing::WithPara
     const std::string name = Submit(spec);
     const auto is_running = [&] { return cluster_.Get(name).state() == v1::RUNNING; };
     while (is_running() && !liar.has_lied()) absl::SleepFor(absl::Milliseconds(1));
-    if (!GetParam()) cluster_.AddWorker("good", 2, SceneStageRunner());
+    if (!restarts()) cluster_.AddWorker("good", 2, SceneStageRunner());
     liar.GoOn();
-    if (GetParam()) {
+    if (restarts()) {
       while (is_running() && cluster_.Get(name).progress().phase() != "verify") absl::SleepFor(absl::Milliseconds(1));
       cluster_.Restart();
       cluster_.AddWorker("good", 2, SceneStageRunner());
@@ -101,13 +116,16 @@ class OwnWrongTilesTest : public UntrustedWorkerTest, public ::testing::WithPara
     return cluster_.WaitFor(name);
   }
   void ExpectCaught(const v1::Job& job) {
-    ASSERT_EQ(job.state(), v1::DONE) << job.error().message();
+    EXPECT_EQ(job.state(), v1::DONE) << job.error().message();
     EXPECT_THAT(job.warnings(), Contains(HasSubstr("worker liar wrote something else than it reported to")));
   }
 
  private:
+  static std::unique_ptr<PostgresServer> server_;
   int runs_ = 0;
 };
+
+std::unique_ptr<PostgresServer> OwnWrongTilesTest::server_;
 
 TEST_P(OwnWrongTilesTest, OfCellsThatAreAddedAreReplaced) {
   const auto undisturbed = Undisturbed();
@@ -147,7 +165,9 @@ TEST_P(OwnWrongTilesTest, OfOthersStay) {
   EXPECT_EQ(ReadFile(mine).value(), "mine");
 }
 
-INSTANTIATE_TEST_SUITE_P(Restarts, OwnWrongTilesTest, ::testing::Bool());
+INSTANTIATE_TEST_SUITE_P(Restarts, OwnWrongTilesTest,
+                         ::testing::Combine(::testing::Bool(),
+                                            ::testing::Values(JournalKind::kSqlite, JournalKind::kPostgres)));
 
 }  // namespace
 }  // namespace tilemend

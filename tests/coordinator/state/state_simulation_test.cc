@@ -47,7 +47,8 @@ TEST(StateSimulationTest, NothingIsLostOrDoneTwiceInManyHistories) {
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::printf(
-      "%ld histories, %ld events, %.1f s; %ld jobs: %ld done, %ld partial, %ld cancelled, %ld failed; %ld tasks committed, "
+      "%ld histories, %ld events, %.1f s; %ld jobs: %ld done, %ld partial, %ld cancelled, %ld failed; %ld tasks "
+      "committed, "
       "%ld failed, %ld quarantined, %ld late results refused, %ld strikes, %ld second attempts, %ld workers suspected, "
       "%ld cleared, %ld set aside, %ld times revoked, %ld coordinators ended: 0 invariants broken\n",
       seeds, sum.events, seconds, jobs, done, partial, cancelled, failed, sum.committed, sum.failed, sum.quarantined,

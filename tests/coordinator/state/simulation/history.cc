@@ -63,7 +63,10 @@ class Client {
 class History {
  public:
   History(uint64_t seed, const Faults& faults)
-      : has_liar_(faults.liar || faults.swindler), has_swindler_(faults.swindler), world_(seed, faults), coordinator_(world_, store_, result_.broken) {
+      : has_liar_(faults.liar || faults.swindler),
+        has_swindler_(faults.swindler),
+        world_(seed, faults),
+        coordinator_(world_, store_, result_.broken) {
     const auto kind = [](bool is_so, Worker::Kind bad) { return is_so ? bad : Worker::Kind::kGood; };
     const Worker::Kind kinds[] = {faults.swindler ? Worker::Kind::kSwindler : kind(faults.liar, Worker::Kind::kLiar),
                                   kind(faults.full_disk, Worker::Kind::kFullDisk),
