@@ -47,6 +47,16 @@ absl::StatusOr<TaskResult> ToResult(const SettledTask& task, std::optional<std::
   return result;
 }
 
+// Leaves the inputs.
+std::vector<TaskSpec> SpecsOf(std::vector<NewTask>& tasks) {
+  std::vector<TaskSpec> specs;
+  specs.reserve(tasks.size());
+  for (NewTask& task : tasks) {
+    specs.push_back({task.cell, task.stage, Sha256Hex(task.input), {}, {}, std::move(task.avoid)});
+  }
+  return specs;
+}
+
 }  // namespace
 
 JobRunner::JobRunner(JobSpec spec, PipelineFactory factory, std::shared_ptr<BlobFolder> blobs, Sink sink, Mode mode)
@@ -154,8 +164,7 @@ absl::StatusOr<bool> JobRunner::PrepareToBeginAgain(std::unique_ptr<JobPipeline>
   }
   pipeline.reset();
   TILEMEND_RETURN_IF_ERROR(sink_.begins_again());
-  outstanding_ = 0;
-  for (const std::string& input : std::exchange(held_inputs_, {})) blobs_->LetGo(input);
+  for (const std::string& input : std::exchange(outstanding_, {}).held_inputs) blobs_->LetGo(input);
   resumes_ = Resumption::kRevocation;
   std::lock_guard<std::mutex> lock(mutex_);
   // No task is out, so that no more come.
@@ -191,12 +200,11 @@ absl::StatusOr<JobOutcome> JobRunner::RunPipeline(std::unique_ptr<JobPipeline>& 
     TILEMEND_ASSIGN_OR_RETURN(JobFolders folders, pipeline->Folders());
     sink_.folders(std::move(folders));
     sink_.sight(pipeline->Sight());
-    pipeline->UseNotes(sink_.notes);
-    if (resumes_) pipeline->Resume(*resumes_);
+    pipeline->Prepare(sink_.notes, resumes_);
     TILEMEND_ASSIGN_OR_RETURN(std::vector<NewTask> first, pipeline->Start());
     TILEMEND_RETURN_IF_ERROR(AddTasks(*pipeline, std::move(first)));
     while (!pipeline->Done()) {
-      if (outstanding_ == 0) {
+      if (outstanding_.tasks == 0) {
         return absl::InternalError("the pipeline is not done, yet has no task left: this is a bug in tilemend");
       }
       TILEMEND_ASSIGN_OR_RETURN(std::deque<Delivery> deliveries, NextDeliveries());
@@ -228,9 +236,9 @@ absl::Status JobRunner::TakeDelivery(JobPipeline& pipeline, Delivery delivery) {
     TILEMEND_RETURN_IF_ERROR(failure_);
   }
   if (delivery.content.has_value()) queued_bytes_ -= delivery.content->size();
-  --outstanding_;
+  --outstanding_.tasks;
   if (!delivery.task.known) {
-    held_inputs_.erase(held_inputs_.find(delivery.task.input));
+    outstanding_.held_inputs.erase(outstanding_.held_inputs.find(delivery.task.input));
     blobs_->LetGo(delivery.task.input);
   }
   TILEMEND_ASSIGN_OR_RETURN(TaskResult result, ToResult(delivery.task, std::move(delivery.content), *blobs_));
@@ -244,18 +252,14 @@ absl::Status JobRunner::TakeDelivery(JobPipeline& pipeline, Delivery delivery) {
 }
 
 absl::Status JobRunner::AddTasks(JobPipeline& pipeline, std::vector<NewTask> tasks) {
-  std::vector<TaskSpec> specs;
-  specs.reserve(tasks.size());
-  for (NewTask& task : tasks) {
-    specs.push_back({task.cell, task.stage, Sha256Hex(task.input), {}, {}, std::move(task.avoid)});
-  }
+  std::vector<TaskSpec> specs = SpecsOf(tasks);
   TILEMEND_ASSIGN_OR_RETURN(TaskContents contents, sink_.recall(specs));
   for (size_t i = 0; i < tasks.size(); ++i) {
     if (specs[i].known) continue;  // nobody reads its input
     TILEMEND_RETURN_IF_ERROR(blobs_->Hold(std::move(tasks[i].input)).status());
-    held_inputs_.insert(specs[i].input);
+    outstanding_.held_inputs.insert(specs[i].input);
   }
-  outstanding_ += static_cast<int64_t>(specs.size());
+  outstanding_.tasks += static_cast<int64_t>(specs.size());
   return sink_.add_tasks(std::move(specs), std::move(contents), pipeline.GetProgress());
 }
 

@@ -96,6 +96,12 @@ class JobRunner {
     std::optional<std::string> content;
   };
 
+  // Tasks that are given out and not yet taken back, and inputs of those of them that were not settled before.
+  struct Outstanding {
+    int64_t tasks = 0;
+    std::multiset<std::string> held_inputs;
+  };
+
   bool TryCancel();  // with the lock held
   void Run();
   void ReleaseOnly();
@@ -118,9 +124,8 @@ class JobRunner {
   const PipelineFactory factory_;
   const std::shared_ptr<BlobFolder> blobs_;
   const Sink sink_;
-  std::optional<Resumption> resumes_;       // here and below: the job's thread only
-  int64_t outstanding_ = 0;                 // tasks that are given out and not yet taken back
-  std::multiset<std::string> held_inputs_;  // of those of them that were not settled before
+  std::optional<Resumption> resumes_;  // here and below: the job's thread only
+  Outstanding outstanding_;
   std::atomic<size_t> queued_bytes_{0};
   std::atomic<bool> may_write_{true};
   std::atomic<bool> ended_{false};

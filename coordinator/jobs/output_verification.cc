@@ -60,8 +60,6 @@ void OutputVerification::UseNotes(std::shared_ptr<JobNotes> notes, uint64_t key)
   share_.UseKey(key);
 }
 
-bool OutputVerification::IsChosen(const std::string& path) const { return resumed_ || share_.Has(path); }
-
 void OutputVerification::AddWritten(const Written& written, const std::string& output, const std::string& scene) {
   if (share_.is_none()) return;
   for (const v1::WrittenFile& file : written.files.files()) {
@@ -71,7 +69,7 @@ void OutputVerification::AddWritten(const Written& written, const std::string& o
     const FileReceipt told = FromProto(file.receipt());
     // If this machine sees another file than the writer, the file is verified in any case.
     const bool agrees = now.ok() && *now == told;
-    if (agrees && !IsChosen(target.path)) continue;
+    if (agrees && !share_.Has(target.path)) continue;
     if (now.ok() && notes_->Has(NoteOfFile(target.path, target.digest, *now))) continue;
     target.receipt = written.is_known || !now.ok() ? told : *now;
     target.is_tile = file.path() == written.files.files(0).path();
@@ -88,7 +86,7 @@ void OutputVerification::AddTile(CellId cell, const std::string& worker, v1::Til
   const std::string note = NoteOfTile(tile, tile.digest(), stamp);
   const bool is_verified = !note.empty() && notes_->Has(note) && TileHasStamp(path, stamp);
   surveyed_[cell] = {&*workers_.insert(worker).first, std::move(tile), std::move(stamp)};
-  if (IsChosen(path) && !is_verified) Add(worker, std::move(target), bytes);
+  if (share_.Has(path) && !is_verified) Add(worker, std::move(target), bytes);
 }
 
 void OutputVerification::Add(const std::string& worker, Target target, int64_t bytes) {

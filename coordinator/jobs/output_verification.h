@@ -37,12 +37,9 @@ class OutputVerification {
  public:
   // `share` of the files is verified, 0 to 1.
   explicit OutputVerification(double share);
-  // Before anything is added: `notes` tells which files were verified before, `key` is that of the share.
+  // Before anything is added: `notes` tells which files were verified before, `key` is that of the share. With the same
+  // key the same files are chosen.
   void UseNotes(std::shared_ptr<JobNotes> notes, uint64_t key);
-  // Verifies all files that no note tells of, unless the share is 0: some were placed by an earlier process. Call
-  // before anything is added.
-  void IncludeAll() { resumed_ = true; }
-
   // Files that were written for a cell.
   struct Written {
     CellId cell;
@@ -101,7 +98,6 @@ class OutputVerification {
   };
   void Add(const std::string& worker, Target target, int64_t bytes);
   std::string PathOf(const Target& target) const;
-  bool IsChosen(const std::string& path) const;
   NewTask TaskOf(const Batch& batch);
   // With what a worker read; null: it could not.
   Comparison Compare(const Batch& batch, const v1::VerifyOutput* output) const;
@@ -110,7 +106,6 @@ class OutputVerification {
 
   RandomShare share_;
   std::shared_ptr<JobNotes> notes_ = std::make_shared<JobNotes>();
-  bool resumed_ = false;
   std::map<std::string, Batch> waiting_;  // by who reported
   std::deque<Batch> full_;
   std::map<std::string, Batch> out_;  // given out, by the digest of the input of the task

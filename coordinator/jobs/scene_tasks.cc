@@ -430,9 +430,7 @@ absl::Status SceneTasks::TakeOutput(CellId cell, const v1::AssembleOutput& outpu
     files.push_back({file.attempt(), file.path(), file.bytes(), file.digest()});
     if (!waves_.survey().tile(cell).delivered.empty()) output_->Adopt({file.path()});  // its name was checked
   }
-  if (!output.unchanged()) return output_->Place(files);
-  for (const AttemptFile& file : files) TILEMEND_RETURN_IF_ERROR(output_->Keep(file));
-  return absl::OkStatus();
+  return output.unchanged() ? output_->Keep(files) : output_->Place(files);
 }
 
 }  // namespace tilemend

@@ -31,8 +31,6 @@ class SceneVerification {
   SceneVerification(VerifiedShares shares, std::string output, std::shared_ptr<ScratchFile> scratch);
   // Before anything is added: what was verified before is not verified again, and the same is chosen as before.
   void UseNotes(const std::shared_ptr<JobNotes>& notes);
-  // As OutputVerification::IncludeAll.
-  void IncludeAll() { files_.IncludeAll(); }
 
   // Before a task is given out. Errors of ScratchFile::Put.
   absl::Status AddTask(const NewTask& task) { return results_.AddTask(task); }

@@ -205,8 +205,6 @@ absl::Status CheckSame(const AttemptFile& file, const std::string& written, cons
       {"OUTPUT_EXISTS", {}});
 }
 
-std::string NoteOfOwn(const std::string& file) { return absl::StrCat("own ", file); }
-
 // A file as it was placed. A hard link to it, as by a backup, changes the stamp and no byte.
 bool IsThere(const std::string& path, int64_t bytes, const std::string& digest, const std::string& stamp) {
   const auto look = LookAt(path, Links::kKeep);
@@ -257,8 +255,6 @@ OutputFolder::OutputFolder(OutputFolder&& other) noexcept
       marker_(std::move(other.marker_)),
       keep_(other.keep_),
       wrote_(other.wrote_),
-      leaves_files_(other.leaves_files_),
-      notes_(other.notes_),
       own_(std::move(other.own_)),
       attempts_(std::exchange(other.attempts_, std::nullopt)) {}
 
@@ -293,40 +289,31 @@ void OutputFolder::Adopt(const std::set<std::string>& files) {
   for (const std::string& file : files) files_.try_emplace(file);
 }
 
-void OutputFolder::NoteOwn(const std::vector<AttemptFile>& files) {
-  bool is_any = false;
-  for (const AttemptFile& file : files) {
-    if (!files_.contains(file.path) || IsOwn(file.path)) continue;
-    if (KindOf(absl::StrCat(path_, "/", file.path)) != PathKind::kNothing) continue;
-    notes_->Put(NoteOfOwn(file.path), "");
-    own_.insert(file.path);
-    is_any = true;
-  }
-  if (is_any) notes_->Await();
-}
-
-bool OutputFolder::IsOwn(const std::string& file) const { return own_.contains(file) || notes_->Has(NoteOfOwn(file)); }
-
 absl::Status OutputFolder::Place(const std::vector<AttemptFile>& files) {
-  if (leaves_files_) NoteOwn(files);
+  std::vector<std::string> is_new;
   for (const AttemptFile& file : files) {
-    const bool is_left = leaves_files_ && !IsOwn(file.path);
-    if (files_.contains(file.path)) {
-      const std::string written = absl::StrCat(attempts_->path(), "/", file.attempt);
-      TILEMEND_RETURN_IF_ERROR(is_left ? CheckSame(file, written, absl::StrCat(path_, "/", file.path))
-                                       : attempts_->Place(file, path_));
-    }
-    TILEMEND_RETURN_IF_ERROR(Keep(file));
+    const bool is_there = KindOf(absl::StrCat(path_, "/", file.path)) != PathKind::kNothing;
+    if (own_ && files_.contains(file.path) && !is_there) is_new.push_back(file.path);
   }
-  return absl::OkStatus();
+  if (own_) own_->Add(is_new);
+  for (const AttemptFile& file : files) {
+    if (!files_.contains(file.path)) continue;  // Keep says so
+    const std::string written = absl::StrCat(attempts_->path(), "/", file.attempt);
+    const bool is_left = own_ && !own_->Has(file.path);
+    TILEMEND_RETURN_IF_ERROR(is_left ? CheckSame(file, written, absl::StrCat(path_, "/", file.path))
+                                     : attempts_->Place(file, path_));
+  }
+  return Keep(files);
 }
 
-absl::Status OutputFolder::Keep(const AttemptFile& file) {
-  const auto own = files_.find(file.path);
-  if (own == files_.end()) {
-    return absl::InvalidArgumentError(absl::StrCat(Printable(file.path), ": no file of this output"));
+absl::Status OutputFolder::Keep(const std::vector<AttemptFile>& files) {
+  for (const AttemptFile& file : files) {
+    const auto known = files_.find(file.path);
+    if (known == files_.end()) {
+      return absl::InvalidArgumentError(absl::StrCat(Printable(file.path), ": no file of this output"));
+    }
+    known->second = {file.bytes, file.digest, YoungStampOf(absl::StrCat(path_, "/", file.path))};
   }
-  own->second = {file.bytes, file.digest, YoungStampOf(absl::StrCat(path_, "/", file.path))};
   return absl::OkStatus();
 }
 

@@ -18,6 +18,7 @@
 #include "coordinator/store/attempt_folder.h"
 #include "coordinator/store/job_marker.h"
 #include "coordinator/store/job_notes.h"
+#include "coordinator/store/own_files.h"
 
 namespace tilemend {
 
@@ -56,12 +57,11 @@ class OutputFolder {
   void Adopt(const std::set<std::string>& files);
   // From now on Place leaves a file that others put there as it is. kAlreadyExists (OUTPUT_EXISTS) if it is not the
   // same. A file that this job put there is replaced, also by another process of it that has the same notes.
-  void LeaveFiles() { leaves_files_ = true; }
-  void UseNotes(std::shared_ptr<JobNotes> notes) { notes_ = std::move(notes); }
-  // Gives files of an attempt their names. kInvalidArgument if one is none of this output's; errors of AttemptFolder.
+  void LeaveFiles(std::shared_ptr<JobNotes> notes) { own_.emplace(std::move(notes)); }
+  // Gives files of attempts their names. kInvalidArgument if one is none of this output's; errors of AttemptFolder.
   absl::Status Place(const std::vector<AttemptFile>& files);
-  // The file is there already, as it is to be. Errors as Place.
-  absl::Status Keep(const AttemptFile& file);
+  // The files are there already, as they are to be. Errors as Place.
+  absl::Status Keep(const std::vector<AttemptFile>& files);
   // Whether a complete output lies there.
   bool has_report() const;
   // Where results are kept for the jobs that come after (ResultLog). Stays when the job ends, however it ends.
@@ -85,22 +85,17 @@ class OutputFolder {
   // Makes the folder, and locks the marker in it.
   absl::Status Lock();
   absl::Status WriteKey();
-  // Notes which of the files will be this job's own, since there is none of that name. Durable.
-  void NoteOwn(const std::vector<AttemptFile>& files);
-  bool IsOwn(const std::string& file) const;
   // Whether there is nothing in the folder that a job, run again, could know as done.
   bool IsBare() const;
 
   std::string path_;
   std::string key_;
-  std::map<std::string, Placed> files_;  // of this output, relative
-  std::vector<std::string> made_;        // folders, the outermost first
-  std::unique_ptr<JobMarker> marker_;    // while the folder is claimed
-  bool keep_ = false;                    // the marker is to stay
-  bool wrote_ = false;                   // this process
-  bool leaves_files_ = false;
-  std::shared_ptr<JobNotes> notes_ = std::make_shared<JobNotes>();
-  std::set<std::string> own_;              // of this process, if leaves_files_
+  std::map<std::string, Placed> files_;    // of this output, relative
+  std::vector<std::string> made_;          // folders, the outermost first
+  std::unique_ptr<JobMarker> marker_;      // while the folder is claimed
+  bool keep_ = false;                      // the marker is to stay
+  bool wrote_ = false;                     // this process
+  std::optional<OwnFiles> own_;            // if it leaves those of others
   std::optional<AttemptFolder> attempts_;  // while the folder is claimed
 };
 

@@ -64,7 +64,7 @@ class NotingPipeline : public JobPipeline {
  public:
   using Texts = std::vector<std::optional<std::string>>;
   explicit NotingPipeline(Texts& found) : found_(found) {}
-  void UseNotes(std::shared_ptr<JobNotes> notes) override {
+  void Prepare(const std::shared_ptr<JobNotes>& notes, std::optional<Resumption>) override {
     for (const char* name : {"fact", "key"}) found_.push_back(notes->Find(name));
     if (found_.size() > 2) return;
     notes->Put("fact", "w", "");

@@ -329,8 +329,7 @@ TEST_F(PlacedFilesTest, OutliveTheProcessUntilTheyArePlaced) {
 
 TEST_F(PlacedFilesTest, OfOthersAreLeftAndOwnOnesReplaced) {
   const auto notes = std::make_shared<NotesInMemory>();
-  output_->LeaveFiles();
-  output_->UseNotes(notes);
+  output_->LeaveFiles(notes);
   folder_.Write("deep/out/tiles/a.ply", "theirs");
   const auto other = output_->Place({Attempt("filled")});
   EXPECT_EQ(ErrorReason(other), "OUTPUT_EXISTS") << other;
@@ -342,8 +341,7 @@ TEST_F(PlacedFilesTest, OfOthersAreLeftAndOwnOnesReplaced) {
   for (const bool is_known : {true, false}) {
     output_.reset();
     output_.emplace(*Claim(out_));
-    output_->LeaveFiles();
-    if (is_known) output_->UseNotes(notes);
+    output_->LeaveFiles(is_known ? notes : std::make_shared<NotesInMemory>());
     EXPECT_EQ(output_->Place({Attempt(is_known ? "mended" : "of another job")}).ok(), is_known);
     EXPECT_EQ(ReadFile(tile_).value(), "mended");
   }
