@@ -24,9 +24,38 @@ absl::Status ErrorOf(const std::string& bytes) {
 }
 
 // In the journal: a result of one build is never used by another.
-TaskName NameOf(const Cluster& cluster, CellId cell, Stage stage, const std::string& input) {
-  return {cell, stage, Sha256Hex(absl::StrCat(cluster.options.build, "\n", input))};
+TaskName NameOf(const std::string& build, CellId cell, Stage stage, const std::string& input) {
+  return {cell, stage, Sha256Hex(absl::StrCat(build, "\n", input))};
 }
+
+// A note is a result of a task that nobody asks for.
+class JournalNotes : public JobNotes {
+ public:
+  JournalNotes(std::shared_ptr<Journal> journal, int64_t job, std::string build)
+      : journal_(std::move(journal)), job_(job), build_(std::move(build)) {}
+
+  std::optional<std::string> Find(const std::string& name) const override {
+    const auto found = journal_->Find(job_, TaskOf(name));
+    if (!found.ok() || !*found) return std::nullopt;
+    return (*found)->content.value_or("");
+  }
+  void Put(const std::string& name, const std::string& worker, const std::string& text) override {
+    ResultRecord note;
+    note.worker = worker;
+    if (!text.empty()) note.output = Sha256Hex(text), note.content = text;
+    journal_->PutResult(job_, TaskOf(name), std::move(note));
+  }
+  void Await() override { journal_->Await(); }
+
+ private:
+  TaskName TaskOf(const std::string& name) const {
+    return NameOf(build_, CellId{0, 0}, Stage::kVerify, absl::StrCat("note ", name));
+  }
+
+  const std::shared_ptr<Journal> journal_;
+  const int64_t job_;
+  const std::string build_;
+};
 
 }  // namespace
 
@@ -42,7 +71,7 @@ void JobJournal::PutResult(const SettledTask& task, const std::optional<std::str
   ResultRecord result{task.state, task.output, content, "", {}, task.worker};
   if (task.state != TaskState::kCommitted) result.error = StatusToProto(task.error).SerializeAsString();
   cluster_.journal->PutResult(cluster_.state.FindJob(task.key.job)->number,
-                              NameOf(cluster_, task.cell, task.stage, task.input), std::move(result));
+                              NameOf(cluster_.options.build, task.cell, task.stage, task.input), std::move(result));
 }
 
 void JobJournal::PutLoss(const StruckTask& task) const {
@@ -51,7 +80,7 @@ void JobJournal::PutLoss(const StruckTask& task) const {
   result.state = TaskState::kPending;
   result.lost_workers = task.lost_workers;
   cluster_.journal->PutResult(cluster_.state.FindJob(task.key.job)->number,
-                              NameOf(cluster_, task.cell, task.stage, task.input), std::move(result));
+                              NameOf(cluster_.options.build, task.cell, task.stage, task.input), std::move(result));
 }
 
 void JobJournal::DropResults(const Revoked& revoked) const {
@@ -69,15 +98,19 @@ absl::StatusOr<TaskContents> JobJournal::Recall(const std::string& job, std::vec
   }
   size_t bytes = 0;
   for (TaskSpec& task : tasks) {
-    TILEMEND_ASSIGN_OR_RETURN(std::optional<ResultRecord> found,
-                              cluster_.journal->Find(number, NameOf(cluster_, task.cell, task.stage, task.input)));
+    TILEMEND_ASSIGN_OR_RETURN(
+        std::optional<ResultRecord> found,
+        cluster_.journal->Find(number, NameOf(cluster_.options.build, task.cell, task.stage, task.input)));
     if (!found) continue;
     if (!IsSettled(found->state)) {
       task.lost_workers = std::move(found->lost_workers);
       continue;
     }
-    const bool is_blob = found->state == TaskState::kCommitted && !found->content;
-    if (is_blob && !blobs->Read(found->output).ok()) continue;  // it was lost or damaged: the task is done again
+    if (found->state == TaskState::kCommitted && !found->content) {
+      absl::StatusOr<std::string> blob = blobs->Read(found->output);
+      if (!blob.ok()) continue;  // it was lost or damaged: the task is done again
+      if (bytes + blob->size() <= kMostKnownBytes) found->content = *std::move(blob);
+    }
     task.known = KnownResult{found->state, found->output, absl::OkStatus(), found->worker};
     if (found->state != TaskState::kCommitted) task.known->error = ErrorOf(found->error);
     if (found->content) bytes += found->content->size();
@@ -85,6 +118,10 @@ absl::StatusOr<TaskContents> JobJournal::Recall(const std::string& job, std::vec
     contents.push_back(std::move(found->content));
   }
   return contents;
+}
+
+std::shared_ptr<JobNotes> JobJournal::NotesOf(const std::string& job) const {
+  return std::make_shared<JournalNotes>(cluster_.journal, cluster_.state.FindJob(job)->number, cluster_.options.build);
 }
 
 }  // namespace tilemend

@@ -2,7 +2,7 @@
 #ifndef TILEMEND_COORDINATOR_JOBS_JOB_JOURNAL_H_
 #define TILEMEND_COORDINATOR_JOBS_JOB_JOURNAL_H_
 
-#include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,12 +10,10 @@
 #include "absl/status/statusor.h"
 #include "coordinator/jobs/cluster.h"
 #include "coordinator/state/event.h"
+#include "coordinator/store/job_notes.h"
 #include "tilemend/v1/jobs.pb.h"
 
 namespace tilemend {
-
-// Outputs of tasks that are settled, one after the other; none for an output that is a blob.
-using TaskContents = std::deque<std::optional<std::string>>;
 
 // Puts what changed into the journal of a cluster, and finds there what an earlier process put. The methods that put
 // need the lock and do nothing if the journal forgets everything.
@@ -36,6 +34,9 @@ class JobJournal {
   // Adds to `tasks` what earlier processes know of them. Returns the contents of the known ones in order. Takes the
   // lock. kDataLoss if the journal is damaged.
   absl::StatusOr<TaskContents> Recall(const std::string& job, std::vector<TaskSpec>& tasks) const;
+
+  // Notes that are results of no task: those that a worker gave are dropped with its results. Needs the lock.
+  std::shared_ptr<JobNotes> NotesOf(const std::string& job) const;
 
  private:
   Cluster& cluster_;

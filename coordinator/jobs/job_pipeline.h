@@ -25,6 +25,7 @@
 #include "common/util/stage.h"
 #include "coordinator/jobs/job_folders.h"
 #include "coordinator/state/job.h"
+#include "coordinator/store/job_notes.h"
 #include "tilemend/v1/job_spec.pb.h"
 
 namespace tilemend {
@@ -96,8 +97,9 @@ class JobPipeline {
   // What may be shown of the scene, from before Start to long after the end. Called once, after Folders. Null: nothing.
   virtual std::shared_ptr<const SceneSight> Sight() const { return nullptr; }
 
-  // The job began with another pipeline, perhaps in an earlier process. Called before Start, at most once.
-  virtual void Resume(Resumption /*why*/) {}
+  // `notes` are those of the job. `resumed` if the job began with another pipeline, perhaps in an earlier process.
+  // Called once, before Start.
+  virtual void Prepare(const std::shared_ptr<JobNotes>& /*notes*/, std::optional<Resumption> /*resumed*/) {}
 
   // The first tasks. Called once, then.
   virtual absl::StatusOr<std::vector<NewTask>> Start() = 0;

@@ -6,6 +6,7 @@
 
 #include "absl/strings/cord.h"
 #include "absl/strings/str_cat.h"
+#include "common/store/digest.h"
 #include "common/util/error_info.h"
 #include "common/util/failpoint.h"
 #include "common/util/status_macros.h"
@@ -44,6 +45,16 @@ absl::StatusOr<TaskResult> ToResult(const SettledTask& task, std::optional<std::
     TILEMEND_ASSIGN_OR_RETURN(result.output, blobs.Read(task.output));
   }
   return result;
+}
+
+// Leaves the inputs.
+std::vector<TaskSpec> SpecsOf(std::vector<NewTask>& tasks) {
+  std::vector<TaskSpec> specs;
+  specs.reserve(tasks.size());
+  for (NewTask& task : tasks) {
+    specs.push_back({task.cell, task.stage, Sha256Hex(task.input), {}, {}, std::move(task.avoid)});
+  }
+  return specs;
 }
 
 }  // namespace
@@ -153,7 +164,7 @@ absl::StatusOr<bool> JobRunner::PrepareToBeginAgain(std::unique_ptr<JobPipeline>
   }
   pipeline.reset();
   TILEMEND_RETURN_IF_ERROR(sink_.begins_again());
-  for (const std::string& input : std::exchange(outstanding_, {})) blobs_->LetGo(input);
+  for (const std::string& input : std::exchange(outstanding_, {}).held_inputs) blobs_->LetGo(input);
   resumes_ = Resumption::kRevocation;
   std::lock_guard<std::mutex> lock(mutex_);
   // No task is out, so that no more come.
@@ -189,11 +200,11 @@ absl::StatusOr<JobOutcome> JobRunner::RunPipeline(std::unique_ptr<JobPipeline>& 
     TILEMEND_ASSIGN_OR_RETURN(JobFolders folders, pipeline->Folders());
     sink_.folders(std::move(folders));
     sink_.sight(pipeline->Sight());
-    if (resumes_) pipeline->Resume(*resumes_);
+    pipeline->Prepare(sink_.notes, resumes_);
     TILEMEND_ASSIGN_OR_RETURN(std::vector<NewTask> first, pipeline->Start());
     TILEMEND_RETURN_IF_ERROR(AddTasks(*pipeline, std::move(first)));
     while (!pipeline->Done()) {
-      if (outstanding_.empty()) {
+      if (outstanding_.tasks == 0) {
         return absl::InternalError("the pipeline is not done, yet has no task left: this is a bug in tilemend");
       }
       TILEMEND_ASSIGN_OR_RETURN(std::deque<Delivery> deliveries, NextDeliveries());
@@ -225,8 +236,11 @@ absl::Status JobRunner::TakeDelivery(JobPipeline& pipeline, Delivery delivery) {
     TILEMEND_RETURN_IF_ERROR(failure_);
   }
   if (delivery.content.has_value()) queued_bytes_ -= delivery.content->size();
-  outstanding_.erase(outstanding_.find(delivery.task.input));
-  blobs_->LetGo(delivery.task.input);
+  --outstanding_.tasks;
+  if (!delivery.task.known) {
+    outstanding_.held_inputs.erase(outstanding_.held_inputs.find(delivery.task.input));
+    blobs_->LetGo(delivery.task.input);
+  }
   TILEMEND_ASSIGN_OR_RETURN(TaskResult result, ToResult(delivery.task, std::move(delivery.content), *blobs_));
   TILEMEND_ASSIGN_OR_RETURN(std::vector<NewTask> tasks, pipeline.OnTaskDone(std::move(result)));
   if (const auto caught = pipeline.Caught()) {
@@ -238,14 +252,15 @@ absl::Status JobRunner::TakeDelivery(JobPipeline& pipeline, Delivery delivery) {
 }
 
 absl::Status JobRunner::AddTasks(JobPipeline& pipeline, std::vector<NewTask> tasks) {
-  std::vector<TaskSpec> specs;
-  specs.reserve(tasks.size());
-  for (NewTask& task : tasks) {
-    TILEMEND_ASSIGN_OR_RETURN(std::string digest, blobs_->Hold(std::move(task.input)));
-    outstanding_.insert(digest);
-    specs.push_back({task.cell, task.stage, std::move(digest), {}, {}, std::move(task.avoid)});
+  std::vector<TaskSpec> specs = SpecsOf(tasks);
+  TILEMEND_ASSIGN_OR_RETURN(TaskContents contents, sink_.recall(specs));
+  for (size_t i = 0; i < tasks.size(); ++i) {
+    if (specs[i].known) continue;  // nobody reads its input
+    TILEMEND_RETURN_IF_ERROR(blobs_->Hold(std::move(tasks[i].input)).status());
+    outstanding_.held_inputs.insert(specs[i].input);
   }
-  return sink_.add_tasks(std::move(specs), pipeline.GetProgress());
+  outstanding_.tasks += static_cast<int64_t>(specs.size());
+  return sink_.add_tasks(std::move(specs), std::move(contents), pipeline.GetProgress());
 }
 
 }  // namespace tilemend

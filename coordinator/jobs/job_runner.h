@@ -21,15 +21,24 @@
 #include "coordinator/jobs/job_pipeline.h"
 #include "coordinator/state/event.h"
 #include "coordinator/store/blob_folder.h"
+#include "coordinator/store/job_notes.h"
 
 namespace tilemend {
+
+// Outputs of tasks that are settled, one after the other; none for an output that is a blob.
+using TaskContents = std::deque<std::optional<std::string>>;
 
 class JobRunner {
  public:
   // Called on the job's thread, without any lock of the runner.
   struct Sink {
-    // The inputs are held in the blob folder until the task is delivered. An error fails the job.
-    std::function<absl::Status(std::vector<TaskSpec>, const Progress&)> add_tasks;
+    // Adds to the tasks what earlier processes know of them; returns the contents of those that are settled, in order.
+    // An error fails the job, here and below.
+    std::function<absl::StatusOr<TaskContents>(std::vector<TaskSpec>&)> recall = [](const std::vector<TaskSpec>&) {
+      return TaskContents();
+    };
+    // The inputs of tasks that are not settled are held in the blob folder until the task is delivered.
+    std::function<absl::Status(std::vector<TaskSpec>, TaskContents, const Progress&)> add_tasks;
     // Waits until all that was delivered, and the job itself, is durable: only then may anybody see what follows of it.
     std::function<void()> await;
     // The output is complete. Makes that durable.
@@ -42,8 +51,9 @@ class JobRunner {
     std::function<absl::Status(const CaughtWorker&)> caught = [](const CaughtWorker& worker) {
       return absl::AbortedError(worker.reason);
     };
-    // The job begins again: its tasks are forgotten, and add_tasks knows the results that stay.
+    // The job begins again: its tasks are forgotten, and recall knows the results that stay.
     std::function<absl::Status()> begins_again = [] { return absl::OkStatus(); };
+    std::shared_ptr<JobNotes> notes = std::make_shared<JobNotes>();
   };
   enum class Mode { kRun, kResume, kRelease };
 
@@ -86,6 +96,12 @@ class JobRunner {
     std::optional<std::string> content;
   };
 
+  // Tasks that are given out and not yet taken back, and inputs of those of them that were not settled before.
+  struct Outstanding {
+    int64_t tasks = 0;
+    std::multiset<std::string> held_inputs;
+  };
+
   bool TryCancel();  // with the lock held
   void Run();
   void ReleaseOnly();
@@ -108,8 +124,8 @@ class JobRunner {
   const PipelineFactory factory_;
   const std::shared_ptr<BlobFolder> blobs_;
   const Sink sink_;
-  std::optional<Resumption> resumes_;       // here and below: the job's thread only
-  std::multiset<std::string> outstanding_;  // inputs of the tasks that are given out and not yet taken back
+  std::optional<Resumption> resumes_;  // here and below: the job's thread only
+  Outstanding outstanding_;
   std::atomic<size_t> queued_bytes_{0};
   std::atomic<bool> may_write_{true};
   std::atomic<bool> ended_{false};

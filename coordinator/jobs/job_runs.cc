@@ -113,8 +113,11 @@ void JobRuns::Resume(const std::string& id, JobRunner::Mode mode) {
 }
 
 JobRunner::Sink JobRuns::SinkOf(const std::string& id) {
-  return {.add_tasks = [this, id](std::vector<TaskSpec> tasks,
-                                  const Progress& progress) { return OnTasks(id, std::move(tasks), progress); },
+  return {.recall = [this, id](std::vector<TaskSpec>& tasks) { return journal_.Recall(id, tasks); },
+          .add_tasks =
+              [this, id](std::vector<TaskSpec> tasks, TaskContents contents, const Progress& progress) {
+                return OnTasks(id, std::move(tasks), std::move(contents), progress);
+              },
           .await = [this] { cluster_.journal->Await(); },
           .completed = [this, id](const JobOutcome& outcome,
                                   const Progress& progress) { OnCompleted(id, outcome, progress); },
@@ -131,7 +134,8 @@ JobRunner::Sink JobRuns::SinkOf(const std::string& id) {
                 cluster_.jobs.at(id).sight = std::move(sight);
               },
           .caught = [this, id](const CaughtWorker& caught) { return OnCaught(id, caught); },
-          .begins_again = [this, id] { return OnBeginsAgain(id); }};
+          .begins_again = [this, id] { return OnBeginsAgain(id); },
+          .notes = journal_.NotesOf(id)};
 }
 
 PipelineFactory JobRuns::FactoryOf(const std::string& id) {
@@ -142,8 +146,8 @@ PipelineFactory JobRuns::FactoryOf(const std::string& id) {
   };
 }
 
-absl::Status JobRuns::OnTasks(const std::string& id, std::vector<TaskSpec> tasks, const Progress& progress) {
-  TILEMEND_ASSIGN_OR_RETURN(TaskContents contents, journal_.Recall(id, tasks));
+absl::Status JobRuns::OnTasks(const std::string& id, std::vector<TaskSpec> tasks, TaskContents contents,
+                              const Progress& progress) {
   ClusterLock lock(cluster_.mutex);
   JobEntry& entry = cluster_.jobs.at(id);
   bool& resuming = entry.resuming;

@@ -46,13 +46,14 @@ class JobRuns {
   // Starts the job's thread. If none can be made, the job is forgotten as if it had never been there.
   absl::Status Begin(JobEntry& entry, const std::string& id);
   absl::Status CheckNewJob(const std::string& out_key) const;
-  JobRunner::Sink SinkOf(const std::string& id);
+  JobRunner::Sink SinkOf(const std::string& id);  // of a job that is in the state
 
   // Counts how often coordinators end while the pipeline of the job is made.
   PipelineFactory FactoryOf(const std::string& id);
 
   // Calls of the runners; each takes the lock.
-  absl::Status OnTasks(const std::string& id, std::vector<TaskSpec> tasks, const Progress& progress);
+  absl::Status OnTasks(const std::string& id, std::vector<TaskSpec> tasks, TaskContents contents,
+                       const Progress& progress);
   void OnCompleted(const std::string& id, const JobOutcome& outcome, const Progress& progress);
   void OnFinished(const std::string& id, absl::StatusOr<JobOutcome> outcome);
   void OnReleased(const std::string& id);

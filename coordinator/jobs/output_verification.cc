@@ -11,7 +11,6 @@
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "coordinator/jobs/checked_files.h"
-#include "tilemend/v1/verify.pb.h"
 
 namespace tilemend {
 namespace {
@@ -43,11 +42,23 @@ absl::StatusOr<bool> HasWrongDigest(const v1::TileRef& tile, const std::string& 
   return TileHasStamp(path, stamp) ? absl::StatusOr<bool>(true) : ChangedInJob(path);
 }
 
+// Names of notes. That a file was verified, as it looked then:
+std::string NoteOfFile(const std::string& path, const std::string& digest, const FileReceipt& receipt) {
+  return absl::StrCat("file ", digest, " ", receipt.bytes, " ", receipt.inode, " ", receipt.modified, " ", path);
+}
+// A tile, as it looked before its survey. Without a stamp nobody can tell if it still does.
+std::string NoteOfTile(const v1::TileRef& tile, const std::string& digest, const std::string& stamp) {
+  return stamp.empty() ? "" : absl::StrCat("tile ", digest, " ", stamp, " ", TilePath(tile));
+}
+
 }  // namespace
 
 OutputVerification::OutputVerification(double share) : share_(share) {}
 
-bool OutputVerification::IsChosen(const std::string& path) const { return resumed_ || share_.Has(path); }
+void OutputVerification::UseNotes(std::shared_ptr<JobNotes> notes, uint64_t key) {
+  notes_ = std::move(notes);
+  share_.UseKey(key);
+}
 
 void OutputVerification::AddWritten(const Written& written, const std::string& output, const std::string& scene) {
   if (share_.is_none()) return;
@@ -58,7 +69,8 @@ void OutputVerification::AddWritten(const Written& written, const std::string& o
     const FileReceipt told = FromProto(file.receipt());
     // If this machine sees another file than the writer, the file is verified in any case.
     const bool agrees = now.ok() && *now == told;
-    if (agrees && !IsChosen(target.path)) continue;
+    if (agrees && !share_.Has(target.path)) continue;
+    if (now.ok() && notes_->Has(NoteOfFile(target.path, target.digest, *now))) continue;
     target.receipt = written.is_known || !now.ok() ? told : *now;
     target.is_tile = file.path() == written.files.files(0).path();
     if (file.carried()) target.original = absl::StrCat(scene, "/", file.path());
@@ -71,8 +83,10 @@ void OutputVerification::AddTile(CellId cell, const std::string& worker, v1::Til
   const std::string path = TilePath(tile);
   Target target{cell, tile.digest()};
   const int64_t bytes = TileSize(tile).value_or(0);
+  const std::string note = NoteOfTile(tile, tile.digest(), stamp);
+  const bool is_verified = !note.empty() && notes_->Has(note) && TileHasStamp(path, stamp);
   surveyed_[cell] = {&*workers_.insert(worker).first, std::move(tile), std::move(stamp)};
-  if (IsChosen(path)) Add(worker, std::move(target), bytes);
+  if (share_.Has(path) && !is_verified) Add(worker, std::move(target), bytes);
 }
 
 void OutputVerification::Add(const std::string& worker, Target target, int64_t bytes) {
@@ -121,9 +135,22 @@ absl::StatusOr<std::optional<CaughtWorker>> OutputVerification::Take(const TaskR
   const Batch& batch = out.mapped();
   v1::VerifyOutput output;
   const bool is_read = result.output.ok() && output.ParseFromString(*result.output);
+  const Comparison comparison = Compare(batch, is_read ? &output : nullptr);
+  for (const Doubt& doubt : comparison.doubts) {
+    TILEMEND_ASSIGN_OR_RETURN(auto caught, Judge(batch.told_by, *doubt.target));
+    if (!caught && doubt.is_contradicted) caught = Caught(result.worker, kWrongDigest, PathOf(*doubt.target));
+    if (caught) return caught;
+  }
+  for (const std::string& note : comparison.notes) notes_->Put(note, result.worker);
+  return std::nullopt;
+}
+
+OutputVerification::Comparison OutputVerification::Compare(const Batch& batch, const v1::VerifyOutput* output) const {
+  Comparison comparison;
   int file = 0;
-  const auto next = [&] { return is_read && file < output.files_size() ? output.files(file++) : v1::VerifiedFile(); };
-  std::vector<Doubt> doubts;
+  const auto next = [&] {
+    return output != nullptr && file < output->files_size() ? output->files(file++) : v1::VerifiedFile();
+  };
   for (const Target& target : batch.targets) {
     if (target.path.empty()) continue;
     const v1::VerifiedFile found = next();
@@ -132,17 +159,18 @@ absl::StatusOr<std::optional<CaughtWorker>> OutputVerification::Take(const TaskR
     const bool same_file = now.ok() && *now == FromProto(found.receipt());
     const bool same_bytes = found.digest() == target.digest;
     // The verifier contradicts the writer only if it read the file that this machine sees.
-    if (!same_file || !same_bytes || !has_original) doubts.push_back({&target, is_read && same_file && !same_bytes});
+    const bool is_contradicted = output != nullptr && same_file && !same_bytes;
+    if (!same_file || !same_bytes || !has_original) comparison.doubts.push_back({&target, is_contradicted});
+    if (now.ok()) comparison.notes.push_back(NoteOfFile(target.path, target.digest, *now));
   }
   for (const Target& target : batch.targets) {
-    if (target.path.empty() && next().digest() != target.digest) doubts.push_back({&target, is_read});
+    if (!target.path.empty()) continue;
+    if (next().digest() != target.digest) comparison.doubts.push_back({&target, output != nullptr});
+    const Surveyed& surveyed = surveyed_.at(target.cell);
+    const std::string note = NoteOfTile(surveyed.tile, target.digest, surveyed.stamp);
+    if (!note.empty()) comparison.notes.push_back(note);
   }
-  for (const Doubt& doubt : doubts) {
-    TILEMEND_ASSIGN_OR_RETURN(auto caught, Judge(batch.told_by, *doubt.target));
-    if (!caught && doubt.is_contradicted) caught = Caught(result.worker, kWrongDigest, PathOf(*doubt.target));
-    if (caught) return caught;
-  }
-  return std::nullopt;
+  return comparison;
 }
 
 absl::StatusOr<std::optional<CaughtWorker>> OutputVerification::Judge(const std::string& told_by,

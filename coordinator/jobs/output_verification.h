@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -15,7 +16,9 @@
 #include "common/store/file_receipt.h"
 #include "coordinator/jobs/job_pipeline.h"
 #include "coordinator/jobs/random_share.h"
+#include "coordinator/store/job_notes.h"
 #include "tilemend/v1/stages.pb.h"
+#include "tilemend/v1/verify.pb.h"
 
 namespace tilemend {
 
@@ -34,9 +37,9 @@ class OutputVerification {
  public:
   // `share` of the files is verified, 0 to 1.
   explicit OutputVerification(double share);
-  // Verifies all files, unless the share is 0: some were placed by an earlier process. Call before anything is added.
-  void IncludeAll() { resumed_ = true; }
-
+  // Before anything is added: `notes` tells which files were verified before, `key` is that of the share. With the same
+  // key the same files are chosen.
+  void UseNotes(std::shared_ptr<JobNotes> notes, uint64_t key);
   // Files that were written for a cell.
   struct Written {
     CellId cell;
@@ -79,6 +82,10 @@ class OutputVerification {
     const Target* target;
     bool is_contradicted;  // a worker read the file and found another digest; else no worker could tell
   };
+  struct Comparison {
+    std::vector<Doubt> doubts;
+    std::vector<std::string> notes;  // of all targets, as they are now
+  };
   struct Batch {
     std::string told_by;
     std::vector<Target> targets;
@@ -91,13 +98,14 @@ class OutputVerification {
   };
   void Add(const std::string& worker, Target target, int64_t bytes);
   std::string PathOf(const Target& target) const;
-  bool IsChosen(const std::string& path) const;
   NewTask TaskOf(const Batch& batch);
+  // With what a worker read; null: it could not.
+  Comparison Compare(const Batch& batch, const v1::VerifyOutput* output) const;
   // Reads the file and decides whether `told_by` is wrong. Errors of Take.
   absl::StatusOr<std::optional<CaughtWorker>> Judge(const std::string& told_by, const Target& target) const;
 
   RandomShare share_;
-  bool resumed_ = false;
+  std::shared_ptr<JobNotes> notes_ = std::make_shared<JobNotes>();
   std::map<std::string, Batch> waiting_;  // by who reported
   std::deque<Batch> full_;
   std::map<std::string, Batch> out_;  // given out, by the digest of the input of the task

@@ -26,10 +26,15 @@ std::string NameOfTask(CellId cell, Stage stage) {
 ResultRecomputation::ResultRecomputation(double share, std::shared_ptr<ScratchFile> scratch)
     : share_(share), scratch_(std::move(scratch)) {}
 
+void ResultRecomputation::UseNotes(std::shared_ptr<JobNotes> notes, uint64_t key) {
+  notes_ = std::move(notes);
+  share_.UseKey(key);
+}
+
 absl::Status ResultRecomputation::AddTask(const NewTask& task) {
   if (share_.is_none() || task.stage == Stage::kAssemble) return absl::OkStatus();
   if (!share_.Has(FileDigest(task.input))) return absl::OkStatus();
-  Computed computed{task.cell, task.stage, {}, {}};
+  Computed computed{task.cell, task.stage, {}, {}, {}};
   TILEMEND_ASSIGN_OR_RETURN(computed.input, scratch_->Put(task.input));
   chosen_[Sha256Hex(task.input)] = std::move(computed);
   return absl::OkStatus();
@@ -38,8 +43,11 @@ absl::Status ResultRecomputation::AddTask(const NewTask& task) {
 void ResultRecomputation::AddResult(const TaskResult& result) {
   auto chosen = chosen_.extract(result.input);
   if (chosen.empty() || !result.output.ok() || result.worker.empty()) return;
-  chosen.mapped().opinions.push_back({result.worker, ResultDigest(result.stage, *result.output)});
-  waiting_.push_back(std::move(chosen.mapped()));
+  Computed& computed = chosen.mapped();
+  computed.opinions.push_back({result.worker, ResultDigest(result.stage, *result.output)});
+  computed.note = absl::StrCat("result ", computed.opinions[0].digest, " of ", std::string(StageName(result.stage)),
+                               " ", result.input);
+  if (!notes_->Has(computed.note)) waiting_.push_back(std::move(computed));
 }
 
 absl::StatusOr<std::optional<NewTask>> ResultRecomputation::Next() {
@@ -63,7 +71,10 @@ absl::StatusOr<std::optional<CaughtWorker>> ResultRecomputation::Take(const Task
   const bool is_there = result.output.ok() && output.ParseFromString(*result.output) && output.files_size() == 1;
   if (!is_there && computed.opinions.size() == 1) return std::nullopt;  // nobody else could compute it
   computed.opinions.push_back({result.worker, is_there ? output.files(0).digest() : ""});
-  if (computed.opinions[0].digest == computed.opinions[1].digest) return std::nullopt;
+  if (computed.opinions[0].digest == computed.opinions[1].digest) {
+    notes_->Put(computed.note, result.worker);
+    return std::nullopt;
+  }
   if (computed.opinions.size() == kMostOpinions) return Decide(computed);
   waiting_.push_front(std::move(computed));
   return std::nullopt;

@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COORDINATOR_JOBS_RESULT_RECOMPUTATION_H_
 #define TILEMEND_COORDINATOR_JOBS_RESULT_RECOMPUTATION_H_
 
+#include <cstdint>
 #include <deque>
 #include <map>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "absl/status/statusor.h"
 #include "coordinator/jobs/job_pipeline.h"
 #include "coordinator/jobs/random_share.h"
+#include "coordinator/store/job_notes.h"
 #include "coordinator/store/scratch_file.h"
 
 namespace tilemend {
@@ -26,6 +28,8 @@ class ResultRecomputation {
  public:
   // `share` of the tasks is computed again, 0 to 1. Their inputs lie in `scratch`.
   ResultRecomputation(double share, std::shared_ptr<ScratchFile> scratch);
+  // Before anything is added: `notes` tells which results were computed again before, `key` is that of the share.
+  void UseNotes(std::shared_ptr<JobNotes> notes, uint64_t key);
 
   // A task that is about to be given out. Errors of ScratchFile::Put.
   absl::Status AddTask(const NewTask& task);
@@ -52,12 +56,14 @@ class ResultRecomputation {
     CellId cell;
     Stage stage = Stage::kSurvey;
     ScratchFile::Place input;
+    std::string note;               // once there is a result: that another worker came to the same
     std::vector<Opinion> opinions;  // the first is that of the result, then those of the workers that computed it again
   };
   absl::StatusOr<std::optional<CaughtWorker>> Decide(const Computed& computed) const;
 
   RandomShare share_;
   const std::shared_ptr<ScratchFile> scratch_;
+  std::shared_ptr<JobNotes> notes_ = std::make_shared<JobNotes>();
   std::map<std::string, Computed> chosen_;  // without a result yet, by the digest of the input
   std::deque<Computed> waiting_;
   std::map<std::string, Computed> out_;  // given out, by the digest of the input of the task that verifies

@@ -197,9 +197,11 @@ class ScenePipeline : public JobPipeline {
 
   std::shared_ptr<const SceneSight> Sight() const override { return steps_.sight; }
 
-  void Resume(Resumption why) override {
-    opening_ = why == Resumption::kRestart ? ResultLog::Opening::kSameJob : ResultLog::Opening::kSameJobAnew;
-    verification_.IncludeAll();
+  void Prepare(const std::shared_ptr<JobNotes>& notes, std::optional<Resumption> resumed) override {
+    verification_.UseNotes(notes);
+    if (output_ && job_.adds) output_->LeaveFiles(notes);
+    if (!resumed) return;
+    opening_ = *resumed == Resumption::kRestart ? ResultLog::Opening::kSameJob : ResultLog::Opening::kSameJobAnew;
   }
 
   absl::StatusOr<std::vector<NewTask>> Start() override {
@@ -420,7 +422,7 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
     TILEMEND_ASSIGN_OR_RETURN(const bool overwrite, MayReplace(spec, job.key));
     TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed,
                               OutputFolder::Claim(spec.out(), scene, overwrite || job.adds, JobKey(job.identity)));
-    if (job.adds) claimed.LeaveFiles();
+    if (job.adds) claimed.LeaveFiles(std::make_shared<JobNotes>());
     output.emplace(std::move(claimed));
   }
   TILEMEND_ASSIGN_OR_RETURN(auto scratch, ScratchFile::Create(scratch_folder));

@@ -10,8 +10,7 @@
 namespace tilemend {
 
 // What a job puts aside while it runs lies in `scratch`, a folder; empty: that of the system for such files. Files
-// there have no names: they end with the process. If a share of the files is verified, all files are in a job that an
-// earlier process began.
+// there have no names: they end with the process. What an earlier process of the job verified is not verified again.
 PipelineFactory ScenePipelineFactory(std::string scratch = "", VerifiedShares verified = {});
 
 }  // namespace tilemend

@@ -425,12 +425,12 @@ absl::Status SceneTasks::TakeOutput(CellId cell, const v1::AssembleOutput& outpu
   TILEMEND_ASSIGN_OR_RETURN(const auto levels, FromProto(output.levels()));
   AddLevels(levels, levels_);
   TILEMEND_RETURN_IF_ERROR(waves_.Take(TileWritten{}));
+  std::vector<AttemptFile> files;
   for (const v1::WrittenFile& file : output.files()) {
-    const AttemptFile placed = {file.attempt(), file.path(), file.bytes(), file.digest()};
+    files.push_back({file.attempt(), file.path(), file.bytes(), file.digest()});
     if (!waves_.survey().tile(cell).delivered.empty()) output_->Adopt({file.path()});  // its name was checked
-    TILEMEND_RETURN_IF_ERROR(output.unchanged() ? output_->Keep(placed) : output_->Place(placed));
   }
-  return absl::OkStatus();
+  return output.unchanged() ? output_->Keep(files) : output_->Place(files);
 }
 
 }  // namespace tilemend

@@ -1,18 +1,41 @@
 #include "coordinator/jobs/scene_verification.h"
 
+#include <cstdint>
 #include <utility>
 #include <variant>
 
+#include "absl/strings/numbers.h"
+#include "absl/strings/str_cat.h"
 #include "common/util/error_info.h"
 #include "common/util/status_macros.h"
+#include "coordinator/jobs/random_share.h"
 #include "coordinator/jobs/scene_tasks.h"
 
 namespace tilemend {
+namespace {
+
+// What chooses the shares, the same in all processes of a job.
+uint64_t KeyIn(JobNotes& notes) {
+  constexpr char kName[] = "key of the shares";
+  uint64_t key = 0;
+  if (const auto known = notes.Find(kName); known && absl::SimpleAtoi(*known, &key)) return key;
+  key = RandomShare::NewKey();
+  notes.Put(kName, "", absl::StrCat(key));
+  return key;
+}
+
+}  // namespace
 
 SceneVerification::SceneVerification(VerifiedShares shares, std::string output, std::shared_ptr<ScratchFile> scratch)
     : output_(std::move(output)),
       files_(output_.empty() ? 0 : shares.files),
       results_(output_.empty() ? 0 : shares.results, std::move(scratch)) {}
+
+void SceneVerification::UseNotes(const std::shared_ptr<JobNotes>& notes) {
+  const uint64_t key = KeyIn(*notes);
+  results_.UseNotes(notes, key);
+  files_.UseNotes(notes, key);
+}
 
 void SceneVerification::AddResult(const TaskResult& result) {
   results_.AddResult(result);

@@ -12,6 +12,7 @@
 #include "coordinator/jobs/output_verification.h"
 #include "coordinator/jobs/result_recomputation.h"
 #include "coordinator/jobs/stage_output.h"
+#include "coordinator/store/job_notes.h"
 #include "coordinator/store/scratch_file.h"
 #include "coordinator/waves/scene_waves.h"
 
@@ -28,8 +29,8 @@ class SceneVerification {
  public:
   // `output` is the output's folder; empty: nothing is verified.
   SceneVerification(VerifiedShares shares, std::string output, std::shared_ptr<ScratchFile> scratch);
-  // As OutputVerification::IncludeAll.
-  void IncludeAll() { files_.IncludeAll(); }
+  // Before anything is added: what was verified before is not verified again, and the same is chosen as before.
+  void UseNotes(const std::shared_ptr<JobNotes>& notes);
 
   // Before a task is given out. Errors of ScratchFile::Put.
   absl::Status AddTask(const NewTask& task) { return results_.AddTask(task); }

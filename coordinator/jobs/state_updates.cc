@@ -52,7 +52,7 @@ void StateUpdates::Revoke(const Revoked& revoked) {
 void StateUpdates::Settle(const SettledTask& task, std::optional<std::string> content) {
   if (!task.known) {
     cluster_.metrics.Settled(task, cluster_.options.clock());
-    journal_.PutResult(task, content);
+    if (!IsBackground(task.stage)) journal_.PutResult(task, content);  // of others the job makes notes
   }
   JobEntry& entry = cluster_.jobs.at(task.key.job);
   entry.board.TaskSettled(task.cell, task.stage, task.error);

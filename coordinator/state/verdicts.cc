@@ -84,4 +84,14 @@ void RevokeOfConvicted(JobTable& jobs, Effects& effects) {
   }
 }
 
+void KeepDisprovedSuspected(const JobTable& jobs, Effects& effects) {
+  std::erase_if(effects.cleared, [&](const std::string& worker) {
+    return std::any_of(jobs.running().begin(), jobs.running().end(), [&](const auto& job) {
+      const auto& disproved = jobs.Find(job.second)->doubts.disproved;
+      const auto found = disproved.find(worker);
+      return found != disproved.end() && found->second.others_do_it;
+    });
+  });
+}
+
 }  // namespace tilemend

@@ -27,6 +27,8 @@ void JudgeDisproved(Job& job, JobState state, Effects& effects);
 
 // Revokes all results of the convicted workers in jobs that run.
 void RevokeOfConvicted(JobTable& jobs, Effects& effects);
+// Clears nobody whom a job that runs has disproved: its tasks are for others.
+void KeepDisprovedSuspected(const JobTable& jobs, Effects& effects);
 
 }  // namespace tilemend
 

@@ -255,7 +255,7 @@ OutputFolder::OutputFolder(OutputFolder&& other) noexcept
       marker_(std::move(other.marker_)),
       keep_(other.keep_),
       wrote_(other.wrote_),
-      leaves_files_(other.leaves_files_),
+      own_(std::move(other.own_)),
       attempts_(std::exchange(other.attempts_, std::nullopt)) {}
 
 OutputFolder::~OutputFolder() {
@@ -289,23 +289,31 @@ void OutputFolder::Adopt(const std::set<std::string>& files) {
   for (const std::string& file : files) files_.try_emplace(file);
 }
 
-absl::Status OutputFolder::Place(const AttemptFile& file) {
-  if (!files_.contains(file.path)) return Keep(file);
-  const std::string path = absl::StrCat(path_, "/", file.path);
-  if (leaves_files_ && KindOf(path) != PathKind::kNothing) {
-    TILEMEND_RETURN_IF_ERROR(CheckSame(file, absl::StrCat(attempts_->path(), "/", file.attempt), path));
-  } else {
-    TILEMEND_RETURN_IF_ERROR(attempts_->Place(file, path_));
+absl::Status OutputFolder::Place(const std::vector<AttemptFile>& files) {
+  std::vector<std::string> is_new;
+  for (const AttemptFile& file : files) {
+    const bool is_there = KindOf(absl::StrCat(path_, "/", file.path)) != PathKind::kNothing;
+    if (own_ && files_.contains(file.path) && !is_there) is_new.push_back(file.path);
   }
-  return Keep(file);
+  if (own_) own_->Add(is_new);
+  for (const AttemptFile& file : files) {
+    if (!files_.contains(file.path)) continue;  // Keep says so
+    const std::string written = absl::StrCat(attempts_->path(), "/", file.attempt);
+    const bool is_left = own_ && !own_->Has(file.path);
+    TILEMEND_RETURN_IF_ERROR(is_left ? CheckSame(file, written, absl::StrCat(path_, "/", file.path))
+                                     : attempts_->Place(file, path_));
+  }
+  return Keep(files);
 }
 
-absl::Status OutputFolder::Keep(const AttemptFile& file) {
-  const auto own = files_.find(file.path);
-  if (own == files_.end()) {
-    return absl::InvalidArgumentError(absl::StrCat(Printable(file.path), ": no file of this output"));
+absl::Status OutputFolder::Keep(const std::vector<AttemptFile>& files) {
+  for (const AttemptFile& file : files) {
+    const auto known = files_.find(file.path);
+    if (known == files_.end()) {
+      return absl::InvalidArgumentError(absl::StrCat(Printable(file.path), ": no file of this output"));
+    }
+    known->second = {file.bytes, file.digest, YoungStampOf(absl::StrCat(path_, "/", file.path))};
   }
-  own->second = {file.bytes, file.digest, YoungStampOf(absl::StrCat(path_, "/", file.path))};
   return absl::OkStatus();
 }
 

@@ -17,6 +17,8 @@
 #include "common/grid/scene.h"
 #include "coordinator/store/attempt_folder.h"
 #include "coordinator/store/job_marker.h"
+#include "coordinator/store/job_notes.h"
+#include "coordinator/store/own_files.h"
 
 namespace tilemend {
 
@@ -53,13 +55,13 @@ class OutputFolder {
   absl::Status BeginWriting();
   // These files, relative, belong to this output as well.
   void Adopt(const std::set<std::string>& files);
-  // From now on Place leaves a file that is there already as it is. kAlreadyExists (OUTPUT_EXISTS) if it is not the
-  // same.
-  void LeaveFiles() { leaves_files_ = true; }
-  // Gives a file of an attempt its name. kInvalidArgument if it is none of this output's; errors of AttemptFolder.
-  absl::Status Place(const AttemptFile& file);
-  // The file is there already, as it is to be. Errors as Place.
-  absl::Status Keep(const AttemptFile& file);
+  // From now on Place leaves a file that others put there as it is. kAlreadyExists (OUTPUT_EXISTS) if it is not the
+  // same. A file that this job put there is replaced, also by another process of it that has the same notes.
+  void LeaveFiles(std::shared_ptr<JobNotes> notes) { own_.emplace(std::move(notes)); }
+  // Gives files of attempts their names. kInvalidArgument if one is none of this output's; errors of AttemptFolder.
+  absl::Status Place(const std::vector<AttemptFile>& files);
+  // The files are there already, as they are to be. Errors as Place.
+  absl::Status Keep(const std::vector<AttemptFile>& files);
   // Whether a complete output lies there.
   bool has_report() const;
   // Where results are kept for the jobs that come after (ResultLog). Stays when the job ends, however it ends.
@@ -88,12 +90,12 @@ class OutputFolder {
 
   std::string path_;
   std::string key_;
-  std::map<std::string, Placed> files_;  // of this output, relative
-  std::vector<std::string> made_;        // folders, the outermost first
-  std::unique_ptr<JobMarker> marker_;    // while the folder is claimed
-  bool keep_ = false;                    // the marker is to stay
-  bool wrote_ = false;                   // this process
-  bool leaves_files_ = false;
+  std::map<std::string, Placed> files_;    // of this output, relative
+  std::vector<std::string> made_;          // folders, the outermost first
+  std::unique_ptr<JobMarker> marker_;      // while the folder is claimed
+  bool keep_ = false;                      // the marker is to stay
+  bool wrote_ = false;                     // this process
+  std::optional<OwnFiles> own_;            // if it leaves those of others
   std::optional<AttemptFolder> attempts_;  // while the folder is claimed
 };
 

@@ -114,7 +114,7 @@ class JobRun:
         again = self.bench.tasks_run() - self.ran_before - progress['tasks']
         # A task that a worker got and the coordinator did not give out durably does not exist: it is in flight, too.
         # Where a machine stands still for a second, a task may get a second attempt.
-        # What was verified before a kill is verified once more.
+        # What was verified before a kill is not among the tasks of the last coordinator.
         verified = self.bench.tasks_run('verify') - self.verified_before
         most = self.kills * IN_FLIGHT + int(progress['tasks_retried']) + verified
         require(0 <= again <= most, f'{again} tasks were done again at {self.kills} kills')

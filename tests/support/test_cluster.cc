@@ -11,6 +11,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_split.h"
 #include "absl/strings/strip.h"
+#include "coordinator/journal/postgres_journal.h"
 #include "coordinator/journal/sqlite_journal.h"
 #include "tests/support/direct_link.h"
 #include "tests/support/waiting_watch.h"
@@ -47,7 +48,8 @@ void TestCluster::StartCoordinator() {
   options.log = options_.log;
   options.build = options_.build;
   if (options_.durable) {
-    auto journal = OpenSqliteJournal(folder_ / "journal.sqlite");
+    auto journal = options_.postgres.empty() ? OpenSqliteJournal(folder_ / "journal.sqlite")
+                                             : OpenPostgresJournal(options_.postgres);
     EXPECT_TRUE(journal.ok()) << journal.status();
     options.journal = *std::move(journal);
   }

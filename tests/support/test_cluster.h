@@ -66,6 +66,7 @@ struct ClusterOptions {
   Log* log = Log::Null();   // of the coordinator; outlives the cluster
   bool fake_clock = false;  // leases then run out only through clock() and Tick()
   bool durable = false;     // for Restart
+  std::string postgres;     // where the journal is, if it is durable and not a file (OpenPostgresJournal)
   std::string build = {};   // of the coordinator, until it is another's
 };
 

@@ -6,8 +6,13 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "absl/time/clock.h"
+#include "coordinator/journal/sqlite_journal.h"
 #include "tests/coordinator/jobs/restart_fixture.h"
 
 namespace tilemend {
@@ -52,6 +57,49 @@ TEST(JobJournalTest, LostWorkersAreRemembered) {
   const v1::Job job = cluster.WaitFor(name);
   EXPECT_EQ(job.state(), v1::PARTIAL) << job.DebugString();
   EXPECT_EQ(job.progress().tasks_quarantined(), 1);
+}
+
+// Puts notes, or tells the first text that it finds of each.
+class NotingPipeline : public JobPipeline {
+ public:
+  using Texts = std::vector<std::optional<std::string>>;
+  explicit NotingPipeline(Texts& found) : found_(found) {}
+  void Prepare(const std::shared_ptr<JobNotes>& notes, std::optional<Resumption>) override {
+    for (const char* name : {"fact", "key"}) found_.push_back(notes->Find(name));
+    if (found_.size() > 2) return;
+    notes->Put("fact", "w", "");
+    notes->Put("key", "", "text");
+  }
+  absl::StatusOr<std::vector<NewTask>> Start() override { return std::vector<NewTask>{{{0, 0}, Stage::kSurvey, "in"}}; }
+  absl::StatusOr<std::vector<NewTask>> OnTaskDone(TaskResult) override { return std::vector<NewTask>(); }
+  bool Done() const override { return false; }
+  Progress GetProgress() const override { return {}; }
+  absl::StatusOr<JobOutcome> Finish() override { return JobOutcome(); }
+
+ private:
+  Texts& found_;
+};
+
+TEST(JobJournalTest, NotesOutliveTheCoordinatorButNotTheTrustInTheirWorker) {
+  NotingPipeline::Texts found;
+  ClusterOptions options = Durable();
+  options.factory = [&](const JobSpec&, const std::stop_token&) { return std::make_unique<NotingPipeline>(found); };
+  TestCluster cluster(options);
+  const std::string name = cluster.Submit("toy://1x1").name();
+  const auto await_task = [&] {
+    while (cluster.Get(name).progress().tasks() == 0) absl::SleepFor(absl::Milliseconds(1));
+  };
+  await_task();
+  cluster.Restart();
+  await_task();
+  cluster.Restart([](const std::string& path) {
+    const auto journal = OpenSqliteJournal(path).value();
+    journal->DropResults(1, "w");
+    journal->Await();
+  });
+  await_task();
+  const NotingPipeline::Texts expected = {std::nullopt, std::nullopt, "", "text", std::nullopt, "text"};
+  EXPECT_EQ(found, expected);
 }
 
 }  // namespace

@@ -67,7 +67,11 @@ class JobRunnerTest : public ::testing::Test {
   }
   std::unique_ptr<JobRunner> RunFactory(PipelineFactory factory, JobRunner::Mode mode = JobRunner::Mode::kRun) {
     JobRunner::Sink sink;
-    sink.add_tasks = [this](std::vector<TaskSpec> tasks, const Progress& progress) {
+    sink.recall = [this](std::vector<TaskSpec>& tasks) {
+      for (TaskSpec& task : tasks) task.known = known_;
+      return TaskContents();
+    };
+    sink.add_tasks = [this](std::vector<TaskSpec> tasks, const TaskContents&, const Progress& progress) {
       if (tasks.empty()) return absl::OkStatus();
       if (++given_out_ == 1) tasks_.set_value({std::move(tasks), progress});
       if (given_out_ > 1) tasks_again_.set_value();
@@ -102,6 +106,7 @@ class JobRunnerTest : public ::testing::Test {
 
   const TemporaryFolder folder_;
   const std::shared_ptr<BlobFolder> blobs_;
+  std::optional<KnownResult> known_;  // what an earlier process knows of every task
   std::promise<std::pair<std::vector<TaskSpec>, Progress>> tasks_;
   std::promise<absl::StatusOr<JobOutcome>> outcome_;
   // Of jobs that begin again.
@@ -119,6 +124,18 @@ TEST_F(JobRunnerTest, StoresInputsAndHandsResultsToThePipeline) {
   EXPECT_EQ(blobs_->Read(tasks[0].input).value(), "the input");
   EXPECT_EQ(progress.phase, "at it");
   runner->Deliver(Committed(), "the output");
+  EXPECT_EQ(AwaitOutcome()->message, "the output");
+}
+
+TEST_F(JobRunnerTest, StoresNoInputOfATaskThatWasSettledBefore) {
+  known_ = KnownResult{TaskState::kCommitted, "digest", absl::OkStatus()};
+  const auto runner = Run();
+  const auto [tasks, progress] = AwaitTasks();
+  EXPECT_EQ(tasks[0].input, Sha256Hex("the input"));
+  EXPECT_FALSE(blobs_->Size(tasks[0].input).ok());
+  SettledTask settled = Committed();
+  settled.known = true;
+  runner->Deliver(settled, "the output");
   EXPECT_EQ(AwaitOutcome()->message, "the output");
 }
 

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <memory>
+#include <set>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -13,6 +15,7 @@
 #include "common/store/tile_stamp.h"
 #include "common/util/error_info.h"
 #include "common/util/folders.h"
+#include "tests/coordinator/store/notes_in_memory.h"
 #include "tests/support/temporary_folder.h"
 #include "tilemend/v1/verify.pb.h"
 #include "worker/service/scene_stages.h"
@@ -221,10 +224,8 @@ TEST_F(OutputVerificationTest, VerifiesTheShareThatIsAskedFor) {
     }
     return tiles;
   };
-  OutputVerification none(0), none_again(0), some(0.5);
-  none_again.IncludeAll();
+  OutputVerification none(0), some(0.5);
   EXPECT_EQ(count(none), 0);
-  EXPECT_EQ(count(none_again), 0);
   EXPECT_NEAR(count(some), 500, 100);
   EXPECT_EQ(count(all_), 1000);
 }
@@ -238,6 +239,47 @@ TEST_F(OutputVerificationTest, AFileThatLooksDifferentHereIsVerifiedWhateverTheS
   Add(little, {0, 0}, {file});
   EXPECT_FALSE(little.is_over());
   EXPECT_EQ(Verify(little), "");
+}
+
+class NotedVerificationTest : public OutputVerificationTest {
+ protected:
+  // Another process of the job, in which everything is known. Whether something is to be verified.
+  bool VerifiesAgain(const std::vector<v1::WrittenFile>& files, const std::string& tile, const std::string& stamp) {
+    OutputVerification again(1);
+    again.UseNotes(notes_, 1);
+    Add(again, {0, 0}, files, true);
+    AddTile(again, tile, stamp);
+    return !again.is_over();
+  }
+
+  const std::shared_ptr<NotesInMemory> notes_ = std::make_shared<NotesInMemory>();
+};
+
+TEST_F(NotedVerificationTest, WhatWasVerifiedIsVerifiedAgainOnlyIfItChanged) {
+  folder_.Write("scene/a.ply", "tile");
+  const std::string digest = FileDigest("tile");
+  const std::string stamp = StampOfTile(folder_ / "scene/a.ply", absl::Now() + absl::Minutes(1));
+  const v1::WrittenFile file = Write("a.ply", "a");
+  all_.UseNotes(notes_, 1);
+  Add(all_, {0, 0}, {file});
+  AddTile(all_, digest, stamp);
+  EXPECT_TRUE(VerifiesAgain({file}, digest, stamp)) << "it is not yet";
+  ASSERT_EQ(Verify(all_), "");
+  EXPECT_FALSE(VerifiesAgain({file}, digest, stamp));
+  EXPECT_TRUE(VerifiesAgain({file}, digest, "")) << "nobody can tell if the tile changed";
+  EXPECT_TRUE(VerifiesAgain({file}, FileDigest("other"), stamp));
+  EXPECT_TRUE(VerifiesAgain({file, Write("b.ply", "b")}, digest, stamp));
+  EXPECT_TRUE(VerifiesAgain({Write("a.ply", "a")}, digest, stamp)) << "another file with the same bytes";
+  EXPECT_EQ(notes_->workers(), std::set<std::string>{"verifier"});
+}
+
+TEST_F(NotedVerificationTest, NothingIsNotedOfABatchWithAWrongFile) {
+  v1::WrittenFile file = Write("a.ply", "a");
+  file.set_digest(FileDigest("b"));
+  all_.UseNotes(notes_, 1);
+  Add(all_, {0, 0}, {file, Write("c.ply", "c")});
+  EXPECT_NE(Verify(all_), "");
+  EXPECT_TRUE(notes_->workers().empty());
 }
 
 }  // namespace

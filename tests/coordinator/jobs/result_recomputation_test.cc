@@ -6,6 +6,7 @@
 #include "common/rpc/result_digest.h"
 #include "common/store/digest.h"
 #include "common/util/error_info.h"
+#include "tests/coordinator/store/notes_in_memory.h"
 #include "tilemend/v1/verify.pb.h"
 
 namespace tilemend {
@@ -119,6 +120,37 @@ TEST(ResultDigestTest, LeavesOutWhenASurveyWasMade) {
   EXPECT_EQ(ResultDigest(Stage::kSurvey, survey.SerializeAsString()), digest);
   survey.mutable_files()->add_images("a.png");
   EXPECT_NE(ResultDigest(Stage::kSurvey, survey.SerializeAsString()), digest);
+}
+
+TEST_F(ResultRecomputationTest, WhatWasComputedAgainBeforeIsNotOnceMore) {
+  const auto notes = std::make_shared<NotesInMemory>();
+  const auto another = [&](const std::string& output) {
+    ResultRecomputation process(1, scratch_);
+    process.UseNotes(notes, 1);
+    Give(process, output);
+    return !process.is_over();
+  };
+  all_.UseNotes(notes, 1);
+  Give(all_, "truth");
+  EXPECT_TRUE(another("truth")) << "not yet";
+  EXPECT_EQ(Verify(all_, Next(all_), "second", "truth").value(), std::nullopt);
+  EXPECT_FALSE(another("truth"));
+  EXPECT_TRUE(another("lie"));
+}
+
+TEST_F(ResultRecomputationTest, TheSameKeyChoosesTheSameTasks) {
+  const auto chosen = [&](uint64_t key) {
+    ResultRecomputation some(0.5, scratch_);
+    some.UseNotes(std::make_shared<NotesInMemory>(), key);
+    std::vector<bool> is_chosen;
+    for (int32_t col = 0; col < 100; ++col) {
+      Give(some, "truth", Fill(col));
+      is_chosen.push_back(some.Next().value().has_value());
+    }
+    return is_chosen;
+  };
+  EXPECT_EQ(chosen(1), chosen(1));
+  EXPECT_NE(chosen(1), chosen(2));
 }
 
 }  // namespace

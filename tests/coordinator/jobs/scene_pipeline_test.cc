@@ -368,7 +368,7 @@ TEST_F(ScenePipelineTest, AJobThatGoesOnAsksTheSameAgain) {
   std::vector<std::string> asked;
   for (const bool resumed : {false, true}) {
     const auto pipeline = Make();
-    if (resumed) pipeline->Resume(Resumption::kRestart);
+    pipeline->Prepare(std::make_shared<JobNotes>(), resumed ? std::optional(Resumption::kRestart) : std::nullopt);
     const auto tasks = pipeline->Start();
     ASSERT_TRUE(tasks.ok());
     for (size_t i = 0; i < tasks->size(); ++i) {
@@ -403,7 +403,7 @@ TEST_F(ScenePipelineTest, ATileThatIsChangedWhileNoCoordinatorRunsFailsTheJob) {
     ASSERT_TRUE(RunTasks(*Make(), [&](TaskResult& result) { told.push_back(*result.output); }).ok());
     ChangeATile(spec_.out());
     const auto pipeline = ScenePipelineFactory("", {.files = verified_share})(spec_, {}).value();
-    pipeline->Resume(Resumption::kRestart);
+    pipeline->Prepare(std::make_shared<JobNotes>(), Resumption::kRestart);
     const absl::Status status = RunTasks(*pipeline, [&](TaskResult& result) {
       result.known = result.stage != Stage::kVerify;
       if (!result.known) return;

@@ -8,6 +8,7 @@
 #include "common/store/digest.h"
 #include "common/store/tile_stamp.h"
 #include "common/util/error_info.h"
+#include "tests/coordinator/store/notes_in_memory.h"
 #include "tests/support/temporary_folder.h"
 #include "tilemend/v1/verify.pb.h"
 #include "worker/service/scene_stages.h"
@@ -80,6 +81,19 @@ TEST_F(SceneVerificationTest, ATileThatSeemsToHaveChangedMayHaveBeenReportedWron
   EXPECT_FALSE(fail({2, 0}, absl::AbortedError("it changed")));
   EXPECT_TRUE(fail({1, 0}, absl::AbortedError("it changed")));
   EXPECT_EQ(verification.caught()->worker, "surveyor");
+}
+
+TEST_F(SceneVerificationTest, AllProcessesOfAJobHaveOneKey) {
+  const auto notes = std::make_shared<NotesInMemory>();
+  SceneVerification first = Make(folder_.path());
+  first.UseNotes(notes);
+  const std::string key = notes->Find("key of the shares").value();
+  SceneVerification second = Make(folder_.path());
+  second.UseNotes(notes);
+  EXPECT_EQ(notes->Find("key of the shares"), key);
+  const auto others = std::make_shared<NotesInMemory>();
+  second.UseNotes(others);
+  EXPECT_NE(others->Find("key of the shares"), key);
 }
 
 }  // namespace

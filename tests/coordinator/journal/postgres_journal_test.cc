@@ -131,6 +131,36 @@ TEST_F(PostgresJournalTest, ResultsAreFoundByTheNextProcess) {
   EXPECT_THAT(journal->Outputs(1).value(), ElementsAre(blob.output));
 }
 
+TEST_F(PostgresJournalTest, ResultsOfOneWorkerAreDroppedForGood) {
+  const auto of = [](const std::string& worker, ResultRecord result) {
+    result.worker = worker;
+    return result;
+  };
+  const ResultRecord blob{TaskState::kCommitted, Sha256Hex("blob"), std::nullopt, "", {}};
+  const ResultRecord lost{TaskState::kPending, "", std::nullopt, "", {"liar"}};
+  const auto expect = [&](Journal& journal) {
+    for (const int col : {1, 2}) EXPECT_EQ(journal.Find(1, Task(col)).value(), std::nullopt);
+    EXPECT_EQ(journal.Find(1, Task(3)).value(), of("good", Inside("true")));
+    EXPECT_EQ(journal.Find(1, Task(4)).value(), lost);
+    EXPECT_EQ(journal.Find(2, Task(1)).value(), of("liar", Inside("lie"))) << "of another job";
+    EXPECT_THAT(journal.Outputs(1).value(), ::testing::IsEmpty());
+  };
+  {
+    const auto journal = Open();
+    for (const int64_t job : {1, 2}) journal->PutJob(NewJob(job));
+    for (const int64_t job : {1, 2}) journal->PutResult(job, Task(1), of("liar", Inside("lie")));
+    journal->PutResult(1, Task(2), of("liar", blob));
+    journal->PutResult(1, Task(3), of("good", Inside("true")));
+    journal->PutResult(1, Task(4), lost);
+    journal->Await();
+    EXPECT_EQ(journal->Find(1, Task(1)).value()->worker, "liar");
+    journal->DropResults(1, "liar");
+    ASSERT_TRUE(journal->ReadAgain(1).ok());
+    expect(*journal);
+  }
+  expect(*Open());
+}
+
 TEST_F(PostgresJournalTest, WorkersThatAreSetAsideAreRemembered) {
   {
     const auto journal = Open();

@@ -32,13 +32,14 @@ TEST(StateSimulationTest, NothingIsLostOrDoneTwiceInManyHistories) {
   const int64_t seeds = NumberFrom("TILEMEND_SEEDS", 2000), first = NumberFrom("TILEMEND_FIRST_SEED", 0);
   const auto start = std::chrono::steady_clock::now();
   Tally sum;
-  int64_t jobs = 0, done = 0, partial = 0, cancelled = 0, convicted = 0;
+  int64_t jobs = 0, done = 0, partial = 0, cancelled = 0, failed = 0, convicted = 0;
   for (int64_t seed = first; seed < first + seeds; ++seed) {
     const auto number = static_cast<uint64_t>(seed);
     const HistoryResult result = RunHistory(number, FaultsOf(number));
     EXPECT_TRUE(result.broken.empty()) << "seed " << seed << ": " << absl::StrJoin(result.broken, "; ");
     if (HasFailure()) return;
     jobs += result.jobs, done += result.done, partial += result.partial, cancelled += result.cancelled;
+    failed += result.failed, sum.revoked += result.tally.revoked;
     const Tally& t = result.tally;
     sum.events += t.events, sum.crashes += t.crashes, sum.refused_late += t.refused_late, sum.struck += t.struck;
     sum.quarantined += t.quarantined, sum.failed += t.failed, sum.doubled += t.doubled, sum.committed += t.committed;
@@ -46,14 +47,15 @@ TEST(StateSimulationTest, NothingIsLostOrDoneTwiceInManyHistories) {
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::printf(
-      "%ld histories, %ld events, %.1f s; %ld jobs: %ld done, %ld partial, %ld cancelled; %ld tasks committed, "
+      "%ld histories, %ld events, %.1f s; %ld jobs: %ld done, %ld partial, %ld cancelled, %ld failed; %ld tasks "
+      "committed, "
       "%ld failed, %ld quarantined, %ld late results refused, %ld strikes, %ld second attempts, %ld workers suspected, "
-      "%ld cleared, %ld set aside, %ld coordinators ended: 0 invariants broken\n",
-      seeds, sum.events, seconds, jobs, done, partial, cancelled, sum.committed, sum.failed, sum.quarantined,
-      sum.refused_late, sum.struck, sum.doubled, sum.suspected, sum.cleared, convicted, sum.crashes);
+      "%ld cleared, %ld set aside, %ld times revoked, %ld coordinators ended: 0 invariants broken\n",
+      seeds, sum.events, seconds, jobs, done, partial, cancelled, failed, sum.committed, sum.failed, sum.quarantined,
+      sum.refused_late, sum.struck, sum.doubled, sum.suspected, sum.cleared, convicted, sum.revoked, sum.crashes);
   if (seeds < 1000) return;
   for (const int64_t seen : {done, partial, cancelled, sum.refused_late, sum.struck, sum.quarantined, sum.doubled,
-                             sum.suspected, sum.cleared, convicted}) {
+                             sum.suspected, sum.cleared, sum.revoked, failed, convicted}) {
     EXPECT_GT(seen, 0) << "the histories are too calm";
   }
 }
@@ -119,6 +121,27 @@ TEST(StateSimulationTest, ALiarIsSetAsideAndNobodyElseIs) {
     convicted += result.convicted.empty() ? 0 : 1;
   }
   EXPECT_GT(convicted, 400);  // in some it comes too late for a task
+}
+
+// A job fails only if one swindler after the other comes, or there is nobody else.
+TEST(StateSimulationTest, WhatASwindlerGaveIsDoneAgainByOthers) {
+  int convicted = 0, jobs = 0, failed = 0;
+  int64_t revoked = 0;
+  for (uint64_t seed = 0; seed < 500; ++seed) {
+    Faults faults;
+    faults.swindler = true;
+    faults.crash = seed % 2 == 0 ? 5 : 0;
+    faults.death = seed % 3 == 0 ? 5 : 0;
+    const HistoryResult result = RunHistory(seed, faults);
+    ExpectSound(result);
+    EXPECT_EQ(result.done + result.failed, result.jobs) << seed;
+    jobs += result.jobs, failed += result.failed;
+    convicted += result.convicted.empty() ? 0 : 1;
+    revoked += result.tally.revoked;
+  }
+  EXPECT_GT(revoked, 200);
+  EXPECT_GT(convicted, 100);
+  EXPECT_LT(failed, jobs / 10);
 }
 
 TEST(StateSimulationTest, AJobWhoseResultsAreAllWrongIsPartialAndCostsNoOtherAWorker) {

@@ -84,6 +84,13 @@ TEST_F(RevokedResultsTest, AWorkerWhoseResultIsFalseIsConvictedWhenTheJobEndsWel
   EXPECT_EQ(end.convicted[0].reason, "it lied");
 }
 
+TEST_F(RevokedResultsTest, NobodyIsClearedWhileAnotherJobHasDisprovedIt) {
+  for (const std::string job : {"a", "b"}) AddJob(job, 1);
+  for (const std::string job : {"a", "b"}) Do(WorkerDisproved{job, "liar", "it lied", true});
+  EXPECT_THAT(Do(JobCancelled{"a", now_}).cleared, IsEmpty());
+  EXPECT_THAT(Do(JobFinished{"b", JobState::kFailed, now_}).cleared, ElementsAre("liar"));
+}
+
 TEST_F(RevokedResultsTest, WhereTheJobFailsItIsNobodysFault) {
   AddJob("a", 1);
   Disprove("liar");

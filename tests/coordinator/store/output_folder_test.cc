@@ -6,12 +6,14 @@
 
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 #include "absl/strings/str_cat.h"
 #include "common/store/digest.h"
 #include "common/util/error_info.h"
 #include "common/util/files.h"
+#include "tests/coordinator/store/notes_in_memory.h"
 #include "tests/support/temporary_folder.h"
 
 namespace tilemend {
@@ -254,9 +256,9 @@ class PlacedFilesTest : public OutputFolderTest {
 
 TEST_F(PlacedFilesTest, GetTheirNames) {
   const AttemptFile file = Attempt();
-  ASSERT_TRUE(output_->Place(file).ok());
+  ASSERT_TRUE(output_->Place({file}).ok());
   EXPECT_EQ(ReadFile(out_ + "/tiles/a.ply").value(), "filled");
-  EXPECT_TRUE(output_->Place(file).ok()) << "again, after a restart";
+  EXPECT_TRUE(output_->Place({file}).ok()) << "again, after a restart";
   EXPECT_TRUE(SeeAll().ok());
   EXPECT_EQ(output_->TidyUp(), 0);
   output_->Finish();
@@ -265,22 +267,22 @@ TEST_F(PlacedFilesTest, GetTheirNames) {
 
 TEST_F(PlacedFilesTest, MustBeThereAndOfThisOutput) {
   AttemptFile gone = Attempt();
-  ASSERT_TRUE(output_->Place(gone).ok());
+  ASSERT_TRUE(output_->Place({gone}).ok());
   gone.bytes += 1;
-  EXPECT_TRUE(absl::IsUnavailable(output_->Place(gone))) << "another file has the name";
+  EXPECT_TRUE(absl::IsUnavailable(output_->Place({gone}))) << "another file has the name";
   AttemptFile strange = Attempt();
   strange.path = "../mine.txt";
-  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place(strange)));
+  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place({strange})));
   AttemptFile outside = Attempt();
   outside.attempt = "../../../scene/tiles/a.ply";
-  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place(outside)));
+  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place({outside})));
   outside.attempt = "key";
-  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place(outside)));
+  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place({outside})));
   EXPECT_TRUE(Exists("scene/tiles/a.ply"));
 }
 
 TEST_F(PlacedFilesTest, AreMissedWhenTheyAreGoneOrChanged) {
-  ASSERT_TRUE(output_->Place(Attempt()).ok());
+  ASSERT_TRUE(output_->Place({Attempt()}).ok());
   EXPECT_TRUE(SeeAll().ok());
   folder_.Write("deep/out/tiles/a.ply", "cut");
   EXPECT_TRUE(absl::IsAborted(SeeAll()));
@@ -292,7 +294,7 @@ TEST_F(PlacedFilesTest, AreMissedWhenTheyAreGoneOrChanged) {
 
 TEST_F(PlacedFilesTest, AreMissedWhenTheyHaveOtherBytesOfTheSameSize) {
   const fs::file_time_type later = fs::file_time_type::clock::now() + std::chrono::hours(1);
-  ASSERT_TRUE(output_->Place(Attempt()).ok());
+  ASSERT_TRUE(output_->Place({Attempt()}).ok());
   fs::last_write_time(tile_, later);
   EXPECT_TRUE(SeeAll().ok()) << "other times alone";
   folder_.Write("deep/out/tiles/a.ply", "killed");
@@ -306,14 +308,14 @@ TEST_F(PlacedFilesTest, AreMissedWhenTheyHaveOtherBytesOfTheSameSize) {
 }
 
 TEST_F(PlacedFilesTest, AreMissedWhereALinkIsInTheirPlace) {
-  ASSERT_TRUE(output_->Place(Attempt()).ok());
+  ASSERT_TRUE(output_->Place({Attempt()}).ok());
   fs::rename(tile_, folder_ / "moved.ply");
   fs::create_symlink(folder_ / "moved.ply", tile_);
   EXPECT_TRUE(absl::IsAborted(SeeAll()));
 }
 
 TEST_F(PlacedFilesTest, AreLookedAtUntilTheJobIsToEnd) {
-  ASSERT_TRUE(output_->Place(Attempt()).ok());
+  ASSERT_TRUE(output_->Place({Attempt()}).ok());
   EXPECT_TRUE(absl::IsCancelled(output_->SeeAll([] { return true; })));
 }
 
@@ -322,7 +324,27 @@ TEST_F(PlacedFilesTest, OutliveTheProcessUntilTheyArePlaced) {
   output_.reset();
   auto again = Claim(out_);
   ASSERT_TRUE(again.ok()) << again.status();
-  EXPECT_TRUE(again->Place(file).ok());
+  EXPECT_TRUE(again->Place({file}).ok());
+}
+
+TEST_F(PlacedFilesTest, OfOthersAreLeftAndOwnOnesReplaced) {
+  const auto notes = std::make_shared<NotesInMemory>();
+  output_->LeaveFiles(notes);
+  folder_.Write("deep/out/tiles/a.ply", "theirs");
+  const auto other = output_->Place({Attempt("filled")});
+  EXPECT_EQ(ErrorReason(other), "OUTPUT_EXISTS") << other;
+  EXPECT_TRUE(output_->Place({Attempt("theirs")}).ok()) << "the same bytes";
+  fs::remove(tile_);
+  ASSERT_TRUE(output_->Place({Attempt("wrong")}).ok());
+  ASSERT_TRUE(output_->Place({Attempt("filled")}).ok());
+  EXPECT_EQ(ReadFile(tile_).value(), "filled");
+  for (const bool is_known : {true, false}) {
+    output_.reset();
+    output_.emplace(*Claim(out_));
+    output_->LeaveFiles(is_known ? notes : std::make_shared<NotesInMemory>());
+    EXPECT_EQ(output_->Place({Attempt(is_known ? "mended" : "of another job")}).ok(), is_known);
+    EXPECT_EQ(ReadFile(tile_).value(), "mended");
+  }
 }
 
 TEST_F(PlacedFilesTest, HaveAKeyThatStays) {

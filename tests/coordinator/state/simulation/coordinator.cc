@@ -112,24 +112,28 @@ std::optional<Effects> Coordinator::Apply(const Event& event) {
     store_.PutResult(state_->FindJob(task.key.job)->number, {task.cell, task.stage, task.input}, std::move(record));
     CommitSoon();
   }
+  std::map<std::string, int> beginnings;  // as they are now: what is delivered below may make a job begin again
+  for (const SettledTask& task : effects->settled) beginnings[task.key.job] = entries_.at(task.key.job).beginnings;
   for (const SettledTask& task : effects->settled) {
     const std::string output = task.state == TaskState::kCommitted ? task.output : "-";
     if (!task.known) {
-      Require(task.state != TaskState::kCommitted || task.output == Mix(task.input), "a wrong result was committed");
+      Require(task.state != TaskState::kCommitted || task.output == Mix(task.input) || task.output == kPlausible,
+              "a wrong result was committed");
       (task.state == TaskState::kCommitted ? tally_.committed
        : task.state == TaskState::kFailed  ? tally_.failed
                                            : tally_.quarantined) += 1;
       ResultRecord record;
       record.state = task.state;
       record.output = task.output;
+      record.worker = task.worker;
       store_.PutResult(state_->FindJob(task.key.job)->number, {task.cell, task.stage, task.input}, std::move(record));
     }
-    const int process = process_;
-    WhenDurable([this, process, task, output] {
-      if (process_ == process) Deliver(task, output);
+    WhenDurable([this, process = process_, beginning = beginnings[task.key.job], task, output] {
+      if (process_ == process && entries_.at(task.key.job).beginnings == beginning) Deliver(task, output);
     });
   }
   TakeVerdicts(*effects);
+  for (const Revoked& revoked : effects->revoked) Revoke(revoked);
   return *effects;
 }
 
@@ -142,7 +146,9 @@ void Coordinator::TakeVerdicts(const Effects& effects) {
   }
   for (const auto& [worker, reason] : effects.suspected) {
     ++tally_.suspected;
-    Require(MayWork(worker) && suspected_.insert(worker).second, "a worker that was set aside got a task");
+    const bool is_disproved = !effects.revoked.empty();  // maybe by several jobs, long after its last task
+    Require(MayWork(worker) || is_disproved, "a worker that was set aside got a task");
+    suspected_.insert(worker);
   }
   for (const std::string& worker : effects.cleared) tally_.cleared += static_cast<int64_t>(suspected_.erase(worker));
   for (const auto* blamed : {&effects.convicted, &effects.suspected}) {
@@ -154,10 +160,13 @@ void Coordinator::TakeVerdicts(const Effects& effects) {
 
 void Coordinator::Deliver(const SettledTask& task, const std::string& output) {
   const std::string& id = task.key.job;
-  const auto entry = entries_.find(id);
-  if (entry == entries_.end() || IsOver(state_->FindJob(id)->state)) return;
-  AddTasks(id, entry->second.pipeline->Take(task.cell, output));
-  EndIfDone(id);
+  if (IsOver(state_->FindJob(id)->state)) return;
+  Entry& entry = entries_.at(id);
+  const int beginnings = entry.beginnings;
+  if (output == kPlausible) entry.wrong.push_back(task.worker);
+  if (!entry.wrong.empty() && world_.random.Chance(20)) return Disprove(id, entry.wrong.front());
+  AddTasks(id, entry.pipeline->Take(task.cell, output));
+  if (entry.beginnings == beginnings && !IsOver(state_->FindJob(id)->state)) EndIfDone(id);
 }
 
 void Coordinator::AddTasks(const std::string& id, std::vector<TaskSpec> tasks) {
@@ -168,7 +177,7 @@ void Coordinator::AddTasks(const std::string& id, std::vector<TaskSpec> tasks) {
     if (!found.ok() || !*found) continue;
     const ResultRecord& record = **found;
     if (IsSettled(record.state)) {
-      task.known = KnownResult{record.state, record.output, absl::OkStatus()};
+      task.known = KnownResult{record.state, record.output, absl::OkStatus(), record.worker};
     } else {
       task.lost_workers = record.lost_workers;
     }
@@ -179,11 +188,43 @@ void Coordinator::AddTasks(const std::string& id, std::vector<TaskSpec> tasks) {
 void Coordinator::EndIfDone(const std::string& id) {
   Entry& entry = entries_.at(id);
   if (entry.pipeline->outcome().empty()) return;
-  entry.outcome = entry.pipeline->outcome();
+  if (!entry.wrong.empty()) return Disprove(id, entry.wrong.front());
   const TaskCounts& counts = state_->FindJob(id)->counts;
-  const JobState state = counts.failed > 0 ? JobState::kPartial : JobState::kDone;
+  EndJob(id, counts.failed > 0 ? JobState::kPartial : JobState::kDone, entry.pipeline->outcome());
+}
+
+void Coordinator::EndJob(const std::string& id, JobState state, const std::string& outcome) {
+  entries_.at(id).outcome = outcome;
   Apply(JobFinished{id, state, world_.now()});
   PutJob(*state_->FindJob(id));
+}
+
+void Coordinator::Disprove(const std::string& id, const std::string& worker) {
+  const auto may = [this](const std::string& w, const std::string&) { return MayWork(w); };
+  const bool another = HasOtherWorker(*state_, worker, id, may);
+  if (!Apply(WorkerDisproved{id, worker, "it swindled", another})) EndJob(id, JobState::kFailed, "-");
+}
+
+void Coordinator::Revoke(const Revoked& revoked) {
+  ++tally_.revoked;
+  store_.DropResults(state_->FindJob(revoked.job)->number, revoked.worker);
+  const int beginning = ++entries_.at(revoked.job).beginnings;
+  WhenDurable([this, process = process_, id = revoked.job, beginning] {
+    if (process_ == process) BeginAgain(id, beginning);
+  });
+}
+
+void Coordinator::BeginAgain(const std::string& id, int beginning) {
+  Entry& entry = entries_.at(id);
+  if (entry.beginnings != beginning || IsOver(state_->FindJob(id)->state)) return;
+  Require(Apply(JobRedone{id}).has_value(), "a job could not begin again");
+  entry.pipeline = std::make_unique<Pipeline>(id);
+  entry.wrong.clear();
+  // Since the revocation more was settled: it is found when it is asked for.
+  WhenDurable([this, process = process_, id, last = ++entry.beginnings] {
+    if (process_ != process || entries_.at(id).beginnings != last) return;
+    if (!IsOver(state_->FindJob(id)->state)) AddTasks(id, entries_.at(id).pipeline->Start());
+  });
 }
 
 void Coordinator::PutJob(const Job& job) {
@@ -302,7 +343,7 @@ Event Coordinator::EventOf(const std::string& worker, const Report& report, cons
     return TaskFailed{key, worker, token, true, another, absl::UnavailableError("disk"), world_.now()};
   }
   const bool is_held = task != nullptr && FindLease(*task, worker, token) != nullptr;
-  if (is_held && report.output != Mix(task->input)) {
+  if (is_held && report.output != Mix(task->input) && report.output != kPlausible) {
     return TaskFailed{key, worker, token, true, another, absl::InternalError("wrong"), world_.now(), report.output};
   }
   return TaskCompleted{key, worker, token, report.output, world_.now()};
@@ -341,11 +382,12 @@ void Coordinator::Account(const Event& event, const Effects& effects) {
   for (const SettledTask& settled : effects.settled) {
     drop([&](uint64_t, const TaskKey& key, const std::string&) { return key == settled.key; });
   }
-  const auto* cancelled = std::get_if<JobCancelled>(&event);
-  const auto* finished = std::get_if<JobFinished>(&event);
-  if (cancelled == nullptr && finished == nullptr) return;
-  const std::string& job = cancelled != nullptr ? cancelled->job : finished->job;
-  drop([&](uint64_t, const TaskKey& key, const std::string&) { return key.job == job; });
+  const auto drop_job = [&](const std::string& job) {
+    drop([&](uint64_t, const TaskKey& key, const std::string&) { return key.job == job; });
+  };
+  if (const auto* cancelled = std::get_if<JobCancelled>(&event)) drop_job(cancelled->job);
+  if (const auto* finished = std::get_if<JobFinished>(&event)) drop_job(finished->job);
+  if (const auto* redone = std::get_if<JobRedone>(&event)) drop_job(redone->job);
 }
 
 void Coordinator::CheckState() {
@@ -354,6 +396,9 @@ void Coordinator::CheckState() {
     if (IsOver(job.state)) {
       Require(job.tasks.empty() && job.pending.size() == 0 && job.alone.empty(), "a job that is over has tasks");
       continue;
+    }
+    for (const auto& [worker, disproof] : job.doubts.disproved) {
+      Require(!disproof.others_do_it || !MayWork(worker), "a worker whose results were revoked may work");
     }
     const TaskCounts& c = job.counts;
     Require(c.added == c.pending + c.leased + c.settled(), "a task was lost");

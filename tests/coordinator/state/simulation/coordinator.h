@@ -57,7 +57,7 @@ struct Told {
 // What happened, over all processes.
 struct Tally {
   int64_t events = 0, crashes = 0, refused_late = 0, struck = 0, quarantined = 0, failed = 0, doubled = 0,
-          committed = 0, suspected = 0, cleared = 0;
+          committed = 0, suspected = 0, cleared = 0, revoked = 0;
   uint64_t trace = 0;  // of all events, in their order
 };
 
@@ -89,7 +89,9 @@ class Coordinator {
  private:
   struct Entry {
     std::unique_ptr<Pipeline> pipeline;
-    std::string outcome;  // when it is over
+    std::string outcome;             // when it is over
+    std::vector<std::string> wrong;  // workers that gave wrong results which the pipeline has taken
+    int beginnings = 0;              // of the pipeline; what was settled before the last one is of no interest
   };
 
   // Runs `action` in this process, when it is not stopped.
@@ -102,6 +104,11 @@ class Coordinator {
   void Deliver(const SettledTask& task, const std::string& output);
   void AddTasks(const std::string& id, std::vector<TaskSpec> tasks);
   void EndIfDone(const std::string& id);
+  // Somebody has verified the results.
+  void Disprove(const std::string& id, const std::string& worker);
+  void Revoke(const Revoked& revoked);
+  void BeginAgain(const std::string& id, int beginning);
+  void EndJob(const std::string& id, JobState state, const std::string& outcome);
   void PutJob(const Job& job);
   void Restore(const JobRecord& record);
   Response Sync(const Request& request);

@@ -63,9 +63,12 @@ class Client {
 class History {
  public:
   History(uint64_t seed, const Faults& faults)
-      : has_liar_(faults.liar), world_(seed, faults), coordinator_(world_, store_, result_.broken) {
+      : has_liar_(faults.liar || faults.swindler),
+        has_swindler_(faults.swindler),
+        world_(seed, faults),
+        coordinator_(world_, store_, result_.broken) {
     const auto kind = [](bool is_so, Worker::Kind bad) { return is_so ? bad : Worker::Kind::kGood; };
-    const Worker::Kind kinds[] = {kind(faults.liar, Worker::Kind::kLiar),
+    const Worker::Kind kinds[] = {faults.swindler ? Worker::Kind::kSwindler : kind(faults.liar, Worker::Kind::kLiar),
                                   kind(faults.full_disk, Worker::Kind::kFullDisk),
                                   kind(faults.slow, Worker::Kind::kSlow), Worker::Kind::kGood};
     for (const Worker::Kind k : kinds) {
@@ -138,6 +141,8 @@ class History {
       result_.done += told.state == JobState::kDone;
       result_.partial += told.state == JobState::kPartial;
       result_.cancelled += told.state == JobState::kCancelled;
+      result_.failed += told.state == JobState::kFailed;
+      if (told.state == JobState::kFailed && !has_swindler_) broken.push_back("a job failed, and nobody is at fault");
       const bool is_right = told.outcome == Pipeline::Undisturbed(client->name());
       if (told.state == JobState::kDone && !is_right) broken.push_back("a job is done with another outcome");
       if (told.state == JobState::kPartial && is_right) broken.push_back("a job is partial, but nothing is missing");
@@ -146,7 +151,7 @@ class History {
   }
 
   HistoryResult result_;
-  const bool has_liar_;
+  const bool has_liar_, has_swindler_;
   World world_;
   Store store_;
   Coordinator coordinator_;
@@ -178,6 +183,7 @@ Faults FaultsOf(uint64_t seed) {
   faults.drain = random.Chance(20);
   faults.poison = random.Chance(20);
   faults.prefetch = random.Chance(70);
+  faults.swindler = random.Chance(20);
   return faults;
 }
 

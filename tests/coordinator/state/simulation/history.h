@@ -14,7 +14,7 @@ namespace tilemend::simulation {
 struct HistoryResult {
   std::vector<std::string> broken;  // what must never be
   Tally tally;
-  int jobs = 0, done = 0, partial = 0, cancelled = 0;
+  int jobs = 0, done = 0, partial = 0, cancelled = 0, failed = 0;
   std::set<std::string> convicted;  // workers that were set aside
 };
 

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
 #include "coordinator/journal/journal.h"
 
@@ -27,7 +28,7 @@ class Store : public Journal {
     queue_.emplace_back(Result{NameOf(job, task), std::move(result)});
   }
   void DropJob(int64_t) override {}
-  void DropResults(int64_t, const std::string&) override {}
+  void DropResults(int64_t job, const std::string& worker) override { queue_.emplace_back(False{job, worker}); }
   std::vector<SetAsideRecord> TakeSetAside() override {
     std::vector<SetAsideRecord> records;
     for (const auto& [worker, reason] : set_aside_) records.push_back({worker, reason});
@@ -60,6 +61,12 @@ class Store : public Journal {
         jobs_[job->number] = std::move(*job);
       } else if (auto* aside = std::get_if<SetAsideRecord>(&put)) {
         set_aside_[aside->worker] = aside->reason;
+      } else if (auto* wrong = std::get_if<False>(&put)) {
+        std::erase_if(results_, [&](const auto& entry) {
+          const auto& [name, result] = entry;
+          return absl::StartsWith(name, absl::StrCat(wrong->job, " ")) && result.state == TaskState::kCommitted &&
+                 result.worker == wrong->worker;
+        });
       } else {
         auto& [name, result] = std::get<Result>(put);
         const auto old = results_.find(name);
@@ -78,6 +85,10 @@ class Store : public Journal {
     Name name;
     ResultRecord result;
   };
+  struct False {
+    int64_t job;
+    std::string worker;
+  };
   static Name NameOf(int64_t job, const TaskName& task) {
     return absl::StrCat(job, " ", task.cell.col, " ", task.cell.row, " ", static_cast<int>(task.stage), " ",
                         task.input);
@@ -85,7 +96,7 @@ class Store : public Journal {
 
   uint32_t epoch_ = 0;
   uint64_t committed_ = 0;
-  std::vector<std::variant<JobRecord, Result, SetAsideRecord>> queue_;
+  std::vector<std::variant<JobRecord, Result, SetAsideRecord, False>> queue_;
   std::map<std::string, std::string> set_aside_;
   std::map<int64_t, JobRecord> jobs_;
   std::map<Name, ResultRecord> results_;

@@ -89,6 +89,7 @@ void Worker::Finish(uint64_t token) {
     Report& report = finished_[token];
     report.attempt = held.given.attempt;
     report.output = kind_ == Kind::kLiar ? "lie" : Mix(held.given.input);
+    if (kind_ == Kind::kSwindler && world_.random.Chance(20)) report.output = kPlausible;
     const std::string& job = held.given.attempt.key.job;
     if (world_.faults.poison && IsPoison(job, held.given.stage)) {
       report.output = job.back() % 2 == 0 ? "poison" : absl::StrCat("poison of ", id_);

@@ -15,7 +15,7 @@ namespace tilemend::simulation {
 class Worker {
  public:
   // What is wrong with the machine, as long as the world is faulty.
-  enum class Kind { kGood, kLiar, kFullDisk, kSlow };
+  enum class Kind { kGood, kLiar, kSwindler, kFullDisk, kSlow };
 
   Worker(World& world, Coordinator& coordinator, std::string name, Kind kind, int threads)
       : world_(world), coordinator_(coordinator), name_(std::move(name)), kind_(kind), threads_(threads) {}
@@ -44,7 +44,8 @@ class Worker {
     if (from) cut_from_ = world_.now() + duration;
   }
   void Heal() {
-    kind_ = kind_ == Kind::kLiar ? Kind::kLiar : Kind::kGood;  // a liar is set aside until it is started anew
+    // A liar is set aside until it is started anew.
+    if (kind_ != Kind::kLiar && kind_ != Kind::kSwindler) kind_ = Kind::kGood;
     cut_to_ = cut_from_ = absl::InfinitePast();
   }
 

@@ -40,6 +40,9 @@ inline std::string Mix(const std::string& text) {
   return mixed;
 }
 
+// A wrong result that no check refuses: only who computes it again can tell.
+inline constexpr char kPlausible[] = "plausible";
+
 // What may go wrong in a history, each in percent of the occasions; all 0 is a calm day.
 struct Faults {
   int loss = 0, doubling = 0, delay = 0;               // of messages
@@ -53,6 +56,7 @@ struct Faults {
   bool poison = false;                                 // whoever does tasks of one job, its results are wrong
   bool cancel = false;                                 // the client cancels a job
   bool drain = false;                                  // workers leave in good order and come back
+  bool swindler = false;                               // one of the workers gives wrong results that no check refuses
   bool prefetch = false;                               // workers hold tasks for which they have no thread yet
 };
 
