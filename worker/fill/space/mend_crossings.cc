@@ -290,13 +290,14 @@ class CrossingMender {
     const std::function<bool(int32_t, int32_t)> allowed = [&](int32_t i, int32_t k) {
       return edit.MayJoin(loop[i], loop[k]) && !bridges.contains(Undirected(loop[i], loop[k]));
     };
-    const CrossingIndex taken = Within(box, edit);
-    std::vector<Triangle> triangles = TriangulateSoundly(places, outside, allowed, taken);
+    std::vector<Triangle> triangles = TriangulateSoundly(places, outside, allowed, Within(box, edit));
     std::vector<SpaceTriangle> placed;
     for (const Triangle& t : triangles) placed.push_back({places[t[0]], places[t[1]], places[t[2]]});
     VertexLoop vertices = loop;
     if (triangles.empty() || !SelfCrossings(placed).empty()) {
       if (hole_.level) return {};  // a new point would not be at it
+      const Point3 reach = Point3::Constant(box.diagonal().norm());  // no tip lies farther from the middle
+      const CrossingIndex taken = Within({box.min() - reach, box.max() + reach}, edit);
       const std::optional<ConeFill> cone =
           CloseByCone(places, outside, allowed, taken, [&](const Point3& p) { return Storable(p); });
       if (!cone) return {};
