@@ -42,6 +42,12 @@ constexpr double kFacesUp = 0.5;  // cosine
 
 using Piece = std::vector<int32_t>;  // triangles that hang together at edges, rising
 
+// Of a piece, in one loop: several are tied together by the shortest ways. The loop is empty if there is no boundary.
+struct Boundary {
+  VertexLoop loop;
+  std::set<VertexPair> bridges;
+};
+
 BoxTree TreeOf(std::span<const SpaceTriangle> triangles) {
   std::vector<Eigen::AlignedBox3d> boxes;
   boxes.reserve(triangles.size());
@@ -208,8 +214,31 @@ class CrossingMender {
  private:
   void ReplaceAround(const std::vector<int32_t>& crossed, const Reach& reach) {
     PatchEdit edit(hole_, patch_);
-    for (const Piece& piece : edit.PiecesOf(Around(edit, crossed, reach))) Replace(piece, edit);
+    const std::vector<Piece> pieces = edit.PiecesOf(Around(edit, crossed, reach));
+    for (const std::vector<Piece>& group : GroupsOf(pieces, edit)) {
+      if (Replace(group, edit) || group.size() == 1) continue;
+      for (const Piece& piece : group) Replace({&piece, 1}, edit);
+    }
     edit.Finish();
+  }
+
+  // Pieces that cross each other, directly or by others: while one of them is there, it is in the way of the other.
+  static std::vector<std::vector<Piece>> GroupsOf(std::span<const Piece> pieces, const PatchEdit& edit) {
+    std::vector<SpaceTriangle> placed;
+    std::vector<int32_t> piece_of;
+    for (size_t k = 0; k < pieces.size(); ++k) {
+      for (const int32_t t : pieces[k]) {
+        placed.push_back(edit.Placed(t));
+        piece_of.push_back(static_cast<int32_t>(k));
+      }
+    }
+    DisjointSets sets(static_cast<int32_t>(pieces.size()));
+    for (const auto& [a, b] : SelfCrossings(placed)) sets.Join(piece_of[a], piece_of[b]);
+    std::map<int32_t, std::vector<Piece>> by_lowest;
+    for (int32_t k = 0; k < std::ssize(pieces); ++k) by_lowest[sets.LowestOf(k)].push_back(pieces[k]);
+    std::vector<std::vector<Piece>> groups;
+    for (auto& [lowest, group] : by_lowest) groups.push_back(std::move(group));
+    return groups;
   }
 
   std::vector<bool> Around(const PatchEdit& edit, const std::vector<int32_t>& crossed, const Reach& reach) const {
@@ -228,25 +257,37 @@ class CrossingMender {
     return taken;
   }
 
-  // Puts triangles that cross nothing in place of those of a piece, if there are any.
-  void Replace(const Piece& piece, PatchEdit& edit) const {
-    std::set<VertexPair> bridges;
-    const std::optional<VertexLoop> loop = BoundaryOf(piece, edit, bridges);
-    if (!loop || loop->size() > kLongestLoop) return;
-    for (const int32_t t : piece) edit.TakeOut(t);
-    if (loop->empty()) return;  // it was closed by itself, and closed nothing
-    const int32_t first = edit.count();
-    for (const Triangle& t : Close(*loop, bridges, edit)) edit.PutIn(t);
-    if (edit.count() > first && IsManifold(first, edit) && KeepsHeights(piece, *loop, first, edit)) return;
-    for (int32_t t = first; t < edit.count(); ++t) edit.TakeOut(t);
-    for (const int32_t t : piece) edit.PutBack(t);
+  // Takes out pieces, and closes all of them with triangles that cross nothing. Returns false, with the pieces as they
+  // were, if one of them is not closed.
+  bool Replace(std::span<const Piece> pieces, PatchEdit& edit) const {
+    std::vector<Boundary> boundaries;
+    for (const Piece& piece : pieces) {
+      std::optional<Boundary> boundary = BoundaryOf(piece, edit);
+      if (!boundary || boundary->loop.size() > kLongestLoop) return false;
+      boundaries.push_back(*std::move(boundary));
+    }
+    for (const Piece& piece : pieces) std::ranges::for_each(piece, [&](int32_t t) { edit.TakeOut(t); });
+    const int32_t before = edit.count();
+    for (size_t k = 0; k < pieces.size(); ++k) {
+      if (CloseSoundly(pieces[k], boundaries[k], edit)) continue;
+      for (int32_t t = before; t < edit.count(); ++t) edit.TakeOut(t);
+      for (const Piece& piece : pieces) std::ranges::for_each(piece, [&](int32_t t) { edit.PutBack(t); });
+      return false;
+    }
+    return true;
   }
 
-  // In one loop: several are tied together by the shortest ways, which it adds to `bridges`. Empty if the piece has no
-  // boundary; none if it does not form loops, or no bridge may be built.
-  static std::optional<VertexLoop> BoundaryOf(const Piece& piece, const PatchEdit& edit,
-                                              std::set<VertexPair>& bridges) {
+  bool CloseSoundly(const Piece& piece, const Boundary& boundary, PatchEdit& edit) const {
+    if (boundary.loop.empty()) return true;  // it was closed by itself, and closed nothing
+    const int32_t first = edit.count();
+    for (const Triangle& t : Close(boundary, edit)) edit.PutIn(t);
+    return edit.count() > first && IsManifold(first, edit) && KeepsHeights(piece, boundary.loop, first, edit);
+  }
+
+  // None if it does not form loops, or no bridge may be built.
+  static std::optional<Boundary> BoundaryOf(const Piece& piece, const PatchEdit& edit) {
     std::vector<VertexLoop> loops = LoopsAround(piece, edit);
+    std::set<VertexPair> bridges;
     const BridgeEnds ends = {
         [&](int32_t v) { return edit.At(v); },
         [&](int32_t a, int32_t b) { return edit.MayJoin(a, b) && !bridges.contains(Undirected(a, b)); }};
@@ -256,7 +297,7 @@ class CrossingMender {
       const VertexPair tied = Undirected(loops[0][next[0].from], loops[next[0].loop][next[0].to]);
       if (BuildBridge(next[0], loops)) bridges.insert(tied);
     }
-    return loops.empty() ? VertexLoop() : loops[0];
+    return Boundary{loops.empty() ? VertexLoop() : loops[0], std::move(bridges)};
   }
 
   static std::vector<VertexLoop> LoopsAround(const Piece& piece, const PatchEdit& edit) {
@@ -278,7 +319,8 @@ class CrossingMender {
   }
 
   // Triangles that close the loop and cross nothing; empty if none are found.
-  std::vector<Triangle> Close(const VertexLoop& loop, const std::set<VertexPair>& bridges, PatchEdit& edit) const {
+  std::vector<Triangle> Close(const Boundary& boundary, PatchEdit& edit) const {
+    const auto& [loop, bridges] = boundary;
     std::vector<Point3> places;
     std::vector<Eigen::Vector3d> outside;
     Eigen::AlignedBox3d box;
@@ -299,7 +341,7 @@ class CrossingMender {
       const Point3 reach = Point3::Constant(box.diagonal().norm());  // no tip lies farther from the middle
       const CrossingIndex taken = Within({box.min() - reach, box.max() + reach}, edit);
       const std::optional<ConeFill> cone =
-          CloseByCone(places, outside, allowed, taken, [&](const Point3& p) { return Storable(p); });
+          CloseByCone(places, outside, allowed, taken, [&](const Point3& p) { return FreePlaceAt(p, taken); });
       if (!cone) return {};
       triangles = cone->triangles;
       vertices.push_back(edit.AddPoint(cone->tip));
@@ -319,9 +361,13 @@ class CrossingMender {
     return CrossingIndex(there);
   }
 
-  Point3 Storable(const Point3& p) const {
-    return RoundedTo(hole_.cell->float32 ? NumberType::kFloat32 : NumberType::kFloat64,
-                     RoundedToLattice(p, hole_.cell->lattice_step));
+  // Where a file can hold a point near p; none (not finite) where there is a corner: both would be written as one vertex.
+  Point3 FreePlaceAt(const Point3& p, const CrossingIndex& taken) const {
+    const Point3 place = RoundedTo(hole_.cell->float32 ? NumberType::kFloat32 : NumberType::kFloat64,
+                                   RoundedToLattice(p, hole_.cell->lattice_step));
+    const auto is_corner_of = [&](const SpaceTriangle& t) { return std::ranges::find(t, place) != t.end(); };
+    constexpr double kNowhere = std::numeric_limits<double>::infinity();
+    return std::ranges::any_of(taken.triangles(), is_corner_of) ? Point3::Constant(kNowhere) : place;
   }
 
   static bool IsManifold(int32_t first, const PatchEdit& edit) {
