@@ -42,11 +42,13 @@ constexpr double kFacesUp = 0.5;  // cosine
 
 using Piece = std::vector<int32_t>;  // triangles that hang together at edges, rising
 
-// Of a piece, in one loop: several are tied together by the shortest ways. The loop is empty if there is no boundary.
-struct Boundary {
+// A loop that passes its bridges to and fro.
+struct BridgedLoop {
   VertexLoop loop;
   std::set<VertexPair> bridges;
 };
+
+using Boundary = std::vector<BridgedLoop>;  // of a piece; each is closed by itself
 
 BoxTree TreeOf(std::span<const SpaceTriangle> triangles) {
   std::vector<Eigen::AlignedBox3d> boxes;
@@ -98,6 +100,13 @@ class PatchEdit {
   void TakeOut(int32_t t) {
     is_gone_[t] = true;
     for (int k = 0; k < 3; ++k) std::erase(at_edge_[EdgeOf(t, k)], t);
+  }
+
+  // All from triangle `first` on, which was put in.
+  void TakeOutFrom(int32_t first) {
+    for (int32_t t = first; t < count(); ++t) {
+      if (!is_gone_[t]) TakeOut(t);
+    }
   }
 
   void PutBack(int32_t t) {
@@ -260,17 +269,14 @@ class CrossingMender {
   // Takes out pieces, and closes all of them with triangles that cross nothing. Returns false, with the pieces as they
   // were, if one of them is not closed.
   bool Replace(std::span<const Piece> pieces, PatchEdit& edit) const {
-    std::vector<Boundary> boundaries;
-    for (const Piece& piece : pieces) {
-      std::optional<Boundary> boundary = BoundaryOf(piece, edit);
-      if (!boundary || boundary->loop.size() > kLongestLoop) return false;
-      boundaries.push_back(*std::move(boundary));
-    }
+    std::vector<std::vector<Boundary>> boundaries;
+    for (const Piece& piece : pieces) boundaries.push_back(BoundariesOf(piece, edit));
     for (const Piece& piece : pieces) std::ranges::for_each(piece, [&](int32_t t) { edit.TakeOut(t); });
     const int32_t before = edit.count();
     for (size_t k = 0; k < pieces.size(); ++k) {
-      if (CloseSoundly(pieces[k], boundaries[k], edit)) continue;
-      for (int32_t t = before; t < edit.count(); ++t) edit.TakeOut(t);
+      const auto closes = [&](const Boundary& boundary) { return CloseSoundly(pieces[k], boundary, edit); };
+      if (std::ranges::any_of(boundaries[k], closes)) continue;
+      edit.TakeOutFrom(before);
       for (const Piece& piece : pieces) std::ranges::for_each(piece, [&](int32_t t) { edit.PutBack(t); });
       return false;
     }
@@ -278,15 +284,49 @@ class CrossingMender {
   }
 
   bool CloseSoundly(const Piece& piece, const Boundary& boundary, PatchEdit& edit) const {
-    if (boundary.loop.empty()) return true;  // it was closed by itself, and closed nothing
     const int32_t first = edit.count();
-    for (const Triangle& t : Close(boundary, edit)) edit.PutIn(t);
-    return edit.count() > first && IsManifold(first, edit) && KeepsHeights(piece, boundary.loop, first, edit);
+    const bool closes = std::ranges::all_of(boundary, [&](const BridgedLoop& loop) {
+      const std::vector<Triangle> triangles = Close(loop, edit);
+      for (const Triangle& t : triangles) edit.PutIn(t);
+      return !triangles.empty();
+    });
+    if (closes && IsManifold(first, edit) && KeepsHeights(piece, boundary, first, edit)) return true;
+    edit.TakeOutFrom(first);
+    return false;
   }
 
-  // None if it does not form loops, or no bridge may be built.
-  static std::optional<Boundary> BoundaryOf(const Piece& piece, const PatchEdit& edit) {
-    std::vector<VertexLoop> loops = LoopsAround(piece, edit);
+  // The ways to see the boundary, the best first. Several loops are closed one by one, as a hole in a facade over one in
+  // the ground. Or they are tied to one loop by the shortest ways, as the outer and the inner loop of a ring. None if
+  // it forms no loops, or they are too long; one without loops if there is no boundary: the piece closes nothing.
+  static std::vector<Boundary> BoundariesOf(const Piece& piece, const PatchEdit& edit) {
+    const std::vector<VertexLoop> loops = LoopsAround(piece, edit);
+    std::vector<Boundary> boundaries;
+    const auto is_lid = [&](const VertexLoop& loop) { return FacesDown(loop, edit); };
+    if (loops.size() > 1 && std::ranges::none_of(loops, is_lid)) {
+      Boundary& apart = boundaries.emplace_back();
+      for (const VertexLoop& loop : loops) apart.push_back({loop, {}});
+    }
+    if (loops.size() == 1) boundaries.push_back({{loops[0], {}}});
+    if (loops.size() > 1) {
+      if (std::optional<BridgedLoop> tied = Tied(loops, edit)) boundaries.push_back({*std::move(tied)});
+    }
+    if (loops.empty()) boundaries.emplace_back();
+    std::erase_if(boundaries, [](const Boundary& boundary) {
+      return std::ranges::any_of(boundary, [](const BridgedLoop& b) { return b.loop.size() > kLongestLoop; });
+    });
+    return boundaries;
+  }
+
+  static bool FacesDown(const VertexLoop& loop, const PatchEdit& edit) {
+    Eigen::Vector3d area = Eigen::Vector3d::Zero();
+    for (size_t i = 1; i + 1 < loop.size(); ++i) {
+      area += TwiceVectorArea(SpaceTriangle{edit.At(loop[0]), edit.At(loop[i]), edit.At(loop[i + 1])});
+    }
+    return area.z() < -kFacesUp * area.norm();
+  }
+
+  // None if no bridge may be built.
+  static std::optional<BridgedLoop> Tied(std::vector<VertexLoop> loops, const PatchEdit& edit) {
     std::set<VertexPair> bridges;
     const BridgeEnds ends = {
         [&](int32_t v) { return edit.At(v); },
@@ -297,7 +337,7 @@ class CrossingMender {
       const VertexPair tied = Undirected(loops[0][next[0].from], loops[next[0].loop][next[0].to]);
       if (BuildBridge(next[0], loops)) bridges.insert(tied);
     }
-    return Boundary{loops.empty() ? VertexLoop() : loops[0], std::move(bridges)};
+    return BridgedLoop{std::move(loops[0]), std::move(bridges)};
   }
 
   static std::vector<VertexLoop> LoopsAround(const Piece& piece, const PatchEdit& edit) {
@@ -319,8 +359,8 @@ class CrossingMender {
   }
 
   // Triangles that close the loop and cross nothing; empty if none are found.
-  std::vector<Triangle> Close(const Boundary& boundary, PatchEdit& edit) const {
-    const auto& [loop, bridges] = boundary;
+  std::vector<Triangle> Close(const BridgedLoop& bridged, PatchEdit& edit) const {
+    const auto& [loop, bridges] = bridged;
     std::vector<Point3> places;
     std::vector<Eigen::Vector3d> outside;
     Eigen::AlignedBox3d box;
@@ -378,7 +418,7 @@ class CrossingMender {
   }
 
   // Whether the vertices that go and lie amid surface that faces up are near what comes.
-  static bool KeepsHeights(const Piece& piece, const VertexLoop& loop, int32_t first, const PatchEdit& edit) {
+  static bool KeepsHeights(const Piece& piece, const Boundary& boundary, int32_t first, const PatchEdit& edit) {
     double edges = 0;
     std::set<int32_t> inner;
     for (const int32_t t : piece) {
@@ -386,7 +426,9 @@ class CrossingMender {
       for (int k = 0; k < 3; ++k) edges += (p[(k + 1) % 3] - p[k]).norm() / 3;
       inner.insert(edit.Corners(t).begin(), edit.Corners(t).end());
     }
-    for (const int32_t v : loop) inner.erase(v);
+    for (const BridgedLoop& b : boundary) {
+      for (const int32_t v : b.loop) inner.erase(v);
+    }
     for (const int32_t t : piece) {
       for (const int32_t v : edit.Corners(t)) {
         if (!edit.FacesUp(t)) inner.erase(v);
