@@ -209,7 +209,8 @@ class HoleFiller {
         return cut_folds ? FillFolded(hole, frame, options_, crossings_) : FillOverPlane(hole, frame, options_, {});
       };
       const FillWay way = cut_folds ? FillWay::kFoldsCut : name;
-      if (hole_.own_outline && frame.upright()) ways.push_back({way, check, [=, this] { return FillBesideFacade(fill); }});
+      if (hole_.own_outline && frame.upright())
+        ways.push_back({way, check, [=, this] { return FillBesideFacade(fill); }});
       ways.push_back({way, check, [=, this] { return fill(hole_); }});
     };
     const Check over_ground = cut_folds && !IsHoleInGround() ? Check::kCrossings : Check::kNothing;

@@ -65,7 +65,8 @@ std::optional<UprightLoops> CloseUprightLoops(const CellHole& cell_hole, const L
       taken.Add({hole.positions[t[0]], hole.positions[t[1]], hole.positions[t[2]]});
       for (int k = 0; k < 3; ++k) used.insert(Undirected(t[k], t[(k + 1) % 3]));
     }
-    for (size_t i = 0; !triangles.empty() && i < loop.size(); ++i) closed.insert({loop[i], loop[(i + 1) % loop.size()]});
+    for (size_t i = 0; !triangles.empty() && i < loop.size(); ++i)
+      closed.insert({loop[i], loop[(i + 1) % loop.size()]});
     result.triangles.insert(result.triangles.end(), triangles.begin(), triangles.end());
   }
   if (result.triangles.empty()) return std::nullopt;

@@ -295,9 +295,9 @@ class CrossingMender {
     return false;
   }
 
-  // The ways to see the boundary, the best first. Several loops are closed one by one, as a hole in a facade over one in
-  // the ground. Or they are tied to one loop by the shortest ways, as the outer and the inner loop of a ring. None if
-  // it forms no loops, or they are too long; one without loops if there is no boundary: the piece closes nothing.
+  // The ways to see the boundary, the best first. Several loops are closed one by one, as a hole in a facade over one
+  // in the ground. Or they are tied to one loop by the shortest ways, as the outer and the inner loop of a ring. None
+  // if it forms no loops, or they are too long; one without loops if there is no boundary: the piece closes nothing.
   static std::vector<Boundary> BoundariesOf(const Piece& piece, const PatchEdit& edit) {
     const std::vector<VertexLoop> loops = LoopsAround(piece, edit);
     std::vector<Boundary> boundaries;
@@ -377,7 +377,7 @@ class CrossingMender {
     for (const Triangle& t : triangles) placed.push_back({places[t[0]], places[t[1]], places[t[2]]});
     VertexLoop vertices = loop;
     if (triangles.empty() || !SelfCrossings(placed).empty()) {
-      if (hole_.level) return {};  // a new point would not be at it
+      if (hole_.level) return {};                                    // a new point would not be at it
       const Point3 reach = Point3::Constant(box.diagonal().norm());  // no tip lies farther from the middle
       const CrossingIndex taken = Within({box.min() - reach, box.max() + reach}, edit);
       const std::optional<ConeFill> cone =
@@ -401,7 +401,8 @@ class CrossingMender {
     return CrossingIndex(there);
   }
 
-  // Where a file can hold a point near p; none (not finite) where there is a corner: both would be written as one vertex.
+  // Where a file can hold a point near p; none (not finite) where there is a corner: both would be written as one
+  // vertex.
   Point3 FreePlaceAt(const Point3& p, const CrossingIndex& taken) const {
     const Point3 place = RoundedTo(hole_.cell->float32 ? NumberType::kFloat32 : NumberType::kFloat64,
                                    RoundedToLattice(p, hole_.cell->lattice_step));

@@ -20,8 +20,9 @@ using ::testing::SizeIs;
 class UprightLoopsTest : public testing::Test {
  protected:
   explicit UprightLoopsTest(bool is_in_wall = true)
-      : work_(WorkOfSheet([=](double u, double v) { return Disc(0, -5, 2)(u, v) || Disc(0, is_in_wall ? 5 : -9, 2)(u, v); },
-                          FoldToBuilding, 0)) {}
+      : work_(WorkOfSheet(
+            [=](double u, double v) { return Disc(0, -5, 2)(u, v) || Disc(0, is_in_wall ? 5 : -9, 2)(u, v); },
+            FoldToBuilding, 0)) {}
 
   std::optional<UprightLoops> CloseWith(const std::vector<SpaceTriangle>& surface = {}) {
     const SurfaceNear near = [&](const Point3&, const Point3&) { return surface; };
@@ -31,7 +32,8 @@ class UprightLoopsTest : public testing::Test {
 
   // Of the edges of the hole's boundary.
   int64_t CountOnWall() const {
-    return std::ranges::count_if(hole_.segments, [&](const RegionSegment& s) { return hole_.positions[s.from].z() > 0; });
+    return std::ranges::count_if(hole_.segments,
+                                 [&](const RegionSegment& s) { return hole_.positions[s.from].z() > 0; });
   }
 
   const CellHoles work_;
