@@ -1,6 +1,5 @@
 #include "worker/fill/plane/upright_loops.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,7 +8,7 @@
 #include <utility>
 
 #include "common/mesh/edge_loops.h"
-#include "worker/fill/space/patch_crossings.h"
+#include "common/mesh/triangle_shape.h"
 #include "worker/fill/space/space_fill.h"
 
 namespace tilemend {
@@ -26,8 +25,12 @@ bool IsUpright(const LocalHole& hole, std::span<const int32_t> loop) {
   for (size_t i = 0; i < loop.size(); ++i) {
     const int32_t from = loop[i], to = loop[(i + 1) % loop.size()];
     if (hole.TrianglesBeside(from, to) != 1) return false;
-    area += (hole.positions[from] - hole.positions[loop[0]]).cross(hole.positions[to] - hole.positions[loop[0]]);
+    area += TwiceVectorArea(SpaceTriangle{hole.positions[loop[0]], hole.positions[from], hole.positions[to]});
   }
+  // Ground that it touches in a vertex is none of the facade's.
+  const auto in_ground =
+      std::ranges::count_if(loop, [&](int32_t v) { return hole.on_object.empty() || !hole.on_object[v]; });
+  if (in_ground > 1) return false;
   return std::abs(area.z()) < kLevelArea * area.norm();
 }
 

@@ -15,9 +15,9 @@ struct UprightLoops {
   HolePart rest;                    // the hole without them; without segments if nothing else bounds it
 };
 
-// Closes the loops of a hole's boundary that are holes in a facade. Such a loop consists of original edges, and its
-// vector area is nearer to the level than to the vertical. Seen from above it may lie within the hole in the ground, or
-// touch its boundary in a vertex. Filled as ground, it would get a wall from each vertex down along the facade.
+// Closes the loops of a hole's boundary that are holes in a facade. Such a loop consists of original edges on objects,
+// and its vector area is within 30 degrees of level. Seen from above it may lie within the hole in the ground, or touch
+// its boundary in a vertex. Filled as ground, it would get a wall from each vertex down along the facade.
 //   cell_hole  what `hole` was made of (MakeLocalHole)
 // Loops that have no triangulation without crossings stay part of the rest. None if there are no others.
 // O(rim log rim), and for each such loop as TriangulateInSpace.

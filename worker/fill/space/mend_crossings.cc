@@ -22,6 +22,7 @@
 #include "worker/fill/space/crossing_index.h"
 #include "worker/fill/space/loop_bridges.h"
 #include "worker/fill/space/patch_crossings.h"
+#include "worker/fill/space/patch_edit.h"
 #include "worker/fill/space/sound_triangulation.h"
 
 namespace tilemend {
@@ -38,9 +39,6 @@ constexpr Reach kReaches[] = {{0, false}, {1, true}, {1, false}, {3, true}, {2, 
 constexpr size_t kLongestLoop = 60;
 // Of the mean edge of what is taken out: how far surface that faces up may move there along the vertical.
 constexpr double kMostOff = 0.25;
-constexpr double kFacesUp = 0.5;  // cosine
-
-using Piece = std::vector<int32_t>;  // triangles that hang together at edges, rising
 
 // A loop that passes its bridges to and fro.
 struct BridgedLoop {
@@ -49,13 +47,6 @@ struct BridgedLoop {
 };
 
 using Boundary = std::vector<BridgedLoop>;  // of a piece; each is closed by itself
-
-BoxTree TreeOf(std::span<const SpaceTriangle> triangles) {
-  std::vector<Eigen::AlignedBox3d> boxes;
-  boxes.reserve(triangles.size());
-  for (const SpaceTriangle& t : triangles) boxes.push_back(BoxOf(t));
-  return BoxTree(boxes);
-}
 
 // Of the triangle over p, along the vertical; infinity where it lies neither over nor under p.
 double HeightOver(const SpaceTriangle& t, const Point3& p) {
@@ -69,139 +60,11 @@ double HeightOver(const SpaceTriangle& t, const Point3& p) {
   return normal.dot(t[0] - p) / normal.z();
 }
 
-// A patch whose triangles are taken out and put in. New ones come behind those that were there.
-class PatchEdit {
- public:
-  PatchEdit(const LocalHole& hole, LocalPatch& patch) : hole_(hole), patch_(patch) {
-    for (const Triangle& t : patch.triangles) placed_.push_back(Place(t));
-    for (int32_t t = 0; t < count(); ++t) AddEdges(t);
-    tree_ = TreeOf(placed_);
-    first_new_ = placed_.size();
-    is_gone_.assign(placed_.size(), false);
-  }
-
-  // Makes the patch what it has become.
-  void Finish() {
-    size_t t = 0;
-    std::erase_if(patch_.triangles, [&](const Triangle&) { return is_gone_[t++]; });
-  }
-
-  int32_t count() const { return static_cast<int32_t>(patch_.triangles.size()); }
-  const Triangle& Corners(int32_t t) const { return patch_.triangles[t]; }
-  const SpaceTriangle& Placed(int32_t t) const { return placed_[t]; }
-  Point3 At(int32_t v) const { return v < hole_.size() ? hole_.positions[v] : patch_.new_points[v - hole_.size()]; }
-  SpaceTriangle Place(const Triangle& t) const { return {At(t[0]), At(t[1]), At(t[2])}; }
-
-  int32_t AddPoint(const Point3& p) {
-    patch_.new_points.push_back(p);
-    return hole_.size() + static_cast<int32_t>(patch_.new_points.size()) - 1;
-  }
-
-  void TakeOut(int32_t t) {
-    is_gone_[t] = true;
-    for (int k = 0; k < 3; ++k) std::erase(at_edge_[EdgeOf(t, k)], t);
-  }
-
-  // All from triangle `first` on, which was put in.
-  void TakeOutFrom(int32_t first) {
-    for (int32_t t = first; t < count(); ++t) {
-      if (!is_gone_[t]) TakeOut(t);
-    }
-  }
-
-  void PutBack(int32_t t) {
-    is_gone_[t] = false;
-    AddEdges(t);
-  }
-
-  void PutIn(const Triangle& t) {
-    patch_.triangles.push_back(t);
-    placed_.push_back(Place(t));
-    is_gone_.push_back(false);
-    AddEdges(count() - 1);
-  }
-
-  bool FacesUp(int32_t t) const {
-    const Eigen::Vector3d normal = TwiceVectorArea(placed_[t]);
-    return normal.z() > kFacesUp * normal.norm();
-  }
-
-  // Whether a triangle has an edge with more than two, those of the surface counted.
-  bool HasOverfullEdge(int32_t t) const {
-    for (int k = 0; k < 3; ++k) {
-      const VertexPair edge = EdgeOf(t, k);
-      const int beside = edge.second < hole_.size() ? hole_.TrianglesBeside(edge.first, edge.second) : 0;
-      if (std::ssize(at_edge_.at(edge)) + beside > 2) return true;
-    }
-    return false;
-  }
-
-  // Whether a new edge may be made between two vertices.
-  bool MayJoin(int32_t a, int32_t b) const {
-    return a != b && !TriangleAt(a, b) && (std::max(a, b) >= hole_.size() || hole_.MayJoin(a, b));
-  }
-
-  // Of what lies beside an edge, in the patch or on the surface; zero if unknown.
-  Eigen::Vector3d NormalBeside(int32_t from, int32_t to) const {
-    if (const std::optional<int32_t> t = TriangleAt(from, to)) return TwiceVectorArea(placed_[*t]).normalized();
-    if (std::max(from, to) >= hole_.size()) return Eigen::Vector3d::Zero();
-    return hole_.NormalBeside(from, to);
-  }
-
-  // Calls use(t) for each triangle of the patch that meets the box.
-  template <typename Use>
-  void ForEachIn(const Eigen::AlignedBox3d& box, const Use& use) const {
-    tree_.AnyMeeting(box, [&](int32_t t) {
-      if (!is_gone_[t]) use(placed_[t]);
-      return false;
-    });
-    for (size_t t = first_new_; t < placed_.size(); ++t) {
-      if (!is_gone_[t]) use(placed_[t]);
-    }
-  }
-
-  std::vector<Piece> PiecesOf(const std::vector<bool>& taken) const {
-    DisjointSets sets(static_cast<int32_t>(taken.size()));
-    for (const auto& [edge, around] : at_edge_) {
-      if (around.size() == 2 && taken[around[0]] && taken[around[1]]) sets.Join(around[0], around[1]);
-    }
-    std::map<int32_t, Piece> by_lowest;
-    for (int32_t t = 0; t < std::ssize(taken); ++t) {
-      if (taken[t]) by_lowest[sets.LowestOf(t)].push_back(t);
-    }
-    std::vector<Piece> pieces;
-    for (auto& [lowest, piece] : by_lowest) pieces.push_back(std::move(piece));
-    return pieces;
-  }
-
- private:
-  VertexPair EdgeOf(int32_t t, int k) const {
-    return Undirected(patch_.triangles[t][k], patch_.triangles[t][(k + 1) % 3]);
-  }
-
-  void AddEdges(int32_t t) {
-    for (int k = 0; k < 3; ++k) at_edge_[EdgeOf(t, k)].push_back(t);
-  }
-
-  std::optional<int32_t> TriangleAt(int32_t a, int32_t b) const {
-    const auto there = at_edge_.find(Undirected(a, b));
-    return there == at_edge_.end() || there->second.empty() ? std::nullopt : std::optional(there->second[0]);
-  }
-
-  const LocalHole& hole_;
-  LocalPatch& patch_;
-  std::vector<SpaceTriangle> placed_;  // of patch_.triangles
-  BoxTree tree_;                       // of those that were there
-  size_t first_new_ = 0;
-  std::vector<bool> is_gone_;
-  std::map<VertexPair, std::vector<int32_t>> at_edge_;  // of those that are not gone
-};
-
 class CrossingMender {
  public:
   CrossingMender(const LocalHole& hole, LocalPatch patch, CrossingCheck& check)
       : hole_(hole), check_(check), patch_(std::move(patch)), surface_(check.Surface().begin(), check.Surface().end()) {
-    surface_tree_ = TreeOf(surface_);
+    surface_tree_ = TreeOver(surface_);
   }
 
   LocalPatch Run(std::vector<int32_t> crossed) {

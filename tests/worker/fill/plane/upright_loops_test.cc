@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -19,10 +21,16 @@ using ::testing::SizeIs;
 // A hole that is the holes of a sheet folded to a building, together.
 class UprightLoopsTest : public testing::Test {
  protected:
-  explicit UprightLoopsTest(bool is_in_wall = true)
-      : work_(WorkOfSheet(
-            [=](double u, double v) { return Disc(0, -5, 2)(u, v) || Disc(0, is_in_wall ? 5 : -9, 2)(u, v); },
-            FoldToBuilding, 0)) {}
+  // What is above the ground stands on objects.
+  static CellHoles WorkOfHoles(const std::function<bool(double, double)>& second) {
+    CellHoles work =
+        WorkOfSheet([&](double u, double v) { return Disc(0, -5, 2)(u, v) || second(u, v); }, FoldToBuilding, 0);
+    for (RimVertex& v : work.vertices) v.on_object = v.position.z() > 0;
+    return work;
+  }
+
+  explicit UprightLoopsTest(const std::function<bool(double, double)>& second = Disc(0, 5, 2))
+      : work_(WorkOfHoles(second)) {}
 
   std::optional<UprightLoops> CloseWith(const std::vector<SpaceTriangle>& surface = {}) {
     const SurfaceNear near = [&](const Point3&, const Point3&) { return surface; };
@@ -61,12 +69,21 @@ TEST_F(UprightLoopsTest, LeavesALoopThatSurfacePassesThrough) {
   EXPECT_FALSE(CloseWith({{Point3(0, -1, 5), Point3(0.3, -1, 5), Point3(0, 1, 5.2)}}));
 }
 
+// The second hole is in the roof, and stands on objects as well.
 class LevelLoopsTest : public UprightLoopsTest {
  protected:
-  LevelLoopsTest() : UprightLoopsTest(false) {}
+  LevelLoopsTest() : UprightLoopsTest(Disc(0, 15, 2)) {}
 };
 
 TEST_F(LevelLoopsTest, AreNone) { EXPECT_FALSE(CloseWith()); }
+
+// The second hole is in the wall down to the ground.
+class LoopsToTheGroundTest : public UprightLoopsTest {
+ protected:
+  LoopsToTheGroundTest() : UprightLoopsTest([](double u, double v) { return std::abs(u) < 3 && v > 0 && v < 6; }) {}
+};
+
+TEST_F(LoopsToTheGroundTest, AreNone) { EXPECT_FALSE(CloseWith()); }
 
 }  // namespace
 }  // namespace tilemend
