@@ -232,10 +232,12 @@ class HoleFiller {
     LocalPatch patch;
     patch.triangles = loops->triangles;
     if (loops->rest.hole.segments.empty()) return patch;
-    const LocalPatch rest = fill(loops->rest.hole);
+    const LocalPatch whole = fill(hole_), rest = whole.ok() ? fill(loops->rest.hole) : whole;
     patch.failure = rest.failure;
-    patch.hold_out = rest.hold_out;
-    if (rest.ok()) AddPart(loops->rest, rest, hole_, patch);
+    if (!patch.ok()) return patch;
+    patch.hold_out = whole.hold_out;
+    AddPart(loops->rest, rest, hole_, patch);
+    TakeHeights(hole_, whole, patch);
     return patch;
   }
 

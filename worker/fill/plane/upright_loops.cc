@@ -7,8 +7,12 @@
 #include <span>
 #include <utility>
 
+#include "common/mesh/box_tree.h"
 #include "common/mesh/edge_loops.h"
+#include "common/mesh/rounding.h"
 #include "common/mesh/triangle_shape.h"
+#include "worker/fill/space/height_over.h"
+#include "worker/fill/space/patch_edit.h"
 #include "worker/fill/space/space_fill.h"
 
 namespace tilemend {
@@ -75,6 +79,31 @@ std::optional<UprightLoops> CloseUprightLoops(const CellHole& cell_hole, const L
   if (result.triangles.empty()) return std::nullopt;
   result.rest = RestOf(cell_hole, hole, closed);
   return result;
+}
+
+void TakeHeights(const LocalHole& hole, const LocalPatch& from, LocalPatch& patch) {
+  std::vector<SpaceTriangle> ground;
+  double lowest = 0, highest = 0;
+  for (const Triangle& t : from.triangles) {
+    const SpaceTriangle placed = InSpace(hole, from, t);
+    const auto area = TwiceVectorArea(placed);
+    if (area.z() <= kFacesUp * area.norm()) continue;
+    ground.push_back(placed);
+    for (const Point3& p : placed) {
+      lowest = std::min(lowest, p.z());
+      highest = std::max(highest, p.z());
+    }
+  }
+  const BoxTree tree = TreeOver(ground);
+  for (Point3& p : patch.new_points) {
+    const Eigen::AlignedBox3d upright{Point3(p.x(), p.y(), lowest), Point3(p.x(), p.y(), highest)};
+    tree.AnyMeeting(upright, [&](int32_t t) {
+      const double height = HeightOver(ground[t], p);
+      if (!std::isfinite(height)) return false;
+      p.z() = RoundedToLattice(p.z() + height, hole.cell->lattice_step);
+      return true;
+    });
+  }
 }
 
 }  // namespace tilemend

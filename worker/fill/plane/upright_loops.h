@@ -23,6 +23,11 @@ struct UprightLoops {
 // O(rim log rim), and for each such loop as TriangulateInSpace.
 std::optional<UprightLoops> CloseUprightLoops(const CellHole& cell_hole, const LocalHole& hole, CrossingCheck& check);
 
+// Gives the new points of a patch the heights that another patch of the hole has there, in its triangles that face up.
+// Others stay. So the ground beside a facade stays what it is with the ground that is known along the facade.
+// O(points log triangles).
+void TakeHeights(const LocalHole& hole, const LocalPatch& from, LocalPatch& patch);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_WORKER_FILL_PLANE_UPRIGHT_LOOPS_H_

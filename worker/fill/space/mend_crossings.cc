@@ -20,6 +20,7 @@
 #include "common/mesh/triangle_shape.h"
 #include "worker/fill/space/cone_fill.h"
 #include "worker/fill/space/crossing_index.h"
+#include "worker/fill/space/height_over.h"
 #include "worker/fill/space/loop_bridges.h"
 #include "worker/fill/space/patch_crossings.h"
 #include "worker/fill/space/patch_edit.h"
@@ -47,18 +48,6 @@ struct BridgedLoop {
 };
 
 using Boundary = std::vector<BridgedLoop>;  // of a piece; each is closed by itself
-
-// Of the triangle over p, along the vertical; infinity where it lies neither over nor under p.
-double HeightOver(const SpaceTriangle& t, const Point3& p) {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  const Eigen::Vector3d normal = TwiceVectorArea(t);
-  if (normal.z() == 0) return kNone;
-  for (int k = 0; k < 3; ++k) {
-    const Point2 side = (t[(k + 1) % 3] - t[k]).head<2>(), to = (p - t[k]).head<2>();
-    if ((side.x() * to.y() - side.y() * to.x()) * normal.z() < 0) return kNone;
-  }
-  return normal.dot(t[0] - p) / normal.z();
-}
 
 class CrossingMender {
  public:
