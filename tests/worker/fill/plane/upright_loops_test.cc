@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "tests/support/folded_meshes.h"
+#include "worker/fill/fill_holes.h"
 
 namespace tilemend {
 namespace {
 
-using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 // A hole that is the holes of a sheet folded to a building, together.
@@ -63,6 +63,28 @@ TEST_F(UprightLoopsTest, ClosesAHoleInAWallAndLeavesTheOneInTheGround) {
     EXPECT_EQ(rest.hole.positions[v], hole_.positions[rest.vertices[v]]);
     EXPECT_EQ(rest.hole.positions[v].z(), 0);
   }
+}
+
+TEST_F(UprightLoopsTest, FilledHolesHaveNoWallsDownFromTheLoop) {
+  CellHoles work = work_;
+  work.holes[0].open = work.holes[0].own_outline = true;
+  const std::vector<HolePatch> patches = FillHoles(work, With(Surface::kThinPlate));
+  ASSERT_THAT(patches, SizeIs(1));
+  ExpectClosesHole(work, work.holes[0], patches[0]);
+  const auto is_on_wall = [&](int32_t v) { return v >= 0 && work.vertices[v].position.z() > 0; };
+  for (const Triangle& t : patches[0].triangles) {
+    const auto on_wall = std::ranges::count_if(t, is_on_wall);
+    EXPECT_TRUE(on_wall == 0 || on_wall == 3);
+  }
+}
+
+TEST_F(UprightLoopsTest, TakesHeightsWhereAnotherPatchHasGround) {
+  const int32_t n = hole_.size();
+  const LocalPatch ground{FillFailure::kNone, {{-9, -9, 1}, {9, -9, 1}, {0, 9, 1}}, {{n, n + 1, n + 2}}};
+  LocalPatch patch{FillFailure::kNone, {{0, 0, 3}, {50, 0, 3}}};
+  TakeHeights(hole_, ground, patch);
+  EXPECT_EQ(patch.new_points[0], Point3(0, 0, 1));
+  EXPECT_EQ(patch.new_points[1], Point3(50, 0, 3)) << "no ground is known there";
 }
 
 TEST_F(UprightLoopsTest, LeavesALoopThatSurfacePassesThrough) {
