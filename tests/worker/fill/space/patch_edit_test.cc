@@ -50,7 +50,8 @@ TEST_F(PatchEditTest, EdgesMayBeMadeAnewWhereTrianglesAreTakenOut) {
 TEST_F(PatchEditTest, ATriangleTwiceHasOverfullEdges) {
   PatchEdit edit(hole_, patch_);
   EXPECT_FALSE(edit.HasOverfullEdge(0));
-  edit.PutIn(edit.Corners(0));
+  const Triangle again = edit.Corners(0);
+  edit.PutIn(again);
   EXPECT_TRUE(edit.HasOverfullEdge(count_));
 }
 
