@@ -65,8 +65,14 @@ TEST_F(UprightLoopsTest, ClosesAHoleInAWallAndLeavesTheOneInTheGround) {
   }
 }
 
-TEST_F(UprightLoopsTest, FilledHolesHaveNoWallsDownFromTheLoop) {
-  CellHoles work = work_;
+TEST(UprightLoopsInGroundTest, HaveNoWallsDownToIt) {
+  // The wall leans over the ground, so that its hole is over the one there.
+  const auto lean = [](const Point3& p) {
+    const Point3 q = FoldToBuilding(p);
+    return Point3(q.x(), q.y() - q.z() / 2, q.z());
+  };
+  CellHoles work = WorkOfSheet([](double u, double v) { return Disc(0, -4, 2)(u, v) || Disc(0, 5, 2)(u, v); }, lean, 0);
+  for (RimVertex& v : work.vertices) v.on_object = v.position.z() > 0;
   work.holes[0].open = work.holes[0].own_outline = true;
   const std::vector<HolePatch> patches = FillHoles(work, With(Surface::kThinPlate));
   ASSERT_THAT(patches, SizeIs(1));
