@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <set>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -12,6 +12,7 @@
 #include "common/mesh/position_index.h"
 #include "common/mesh/triangle_shape.h"
 #include "worker/check/corner_cones.h"
+#include "worker/check/crossing_curves.h"
 #include "worker/fill/space/patch_crossings.h"
 
 namespace tilemend {
@@ -97,7 +98,6 @@ class AddedFaultFinder {
     const Point3 middle = (points_[a] + points_[b]) / 2;
     if (after > 2 && before <= 2) found_.faults[AddedFault::kNonManifoldEdge].push_back(middle);
     if (after == 2 && added > 0 && forward != 1) found_.faults[AddedFault::kTurnedEdge].push_back(middle);
-    if (before == 1) rim_.push_back({a, b});
     if (before != 1 && after != 1) return;
     const bool swap = IsLower(points_[b], points_[a]);
     found_.open.push_back({points_[swap ? b : a], points_[swap ? a : b], before, after, added > 0, inner > 0});
@@ -107,54 +107,48 @@ class AddedFaultFinder {
     return {points_[triangles_[t][0]], points_[triangles_[t][1]], points_[triangles_[t][2]]};
   }
 
-  // The boundary edges of the input that added triangles are filled to.
-  BoxTree FilledRim() {
-    std::sort(rim_.begin(), rim_.end());
-    std::set<std::pair<int32_t, int32_t>> filled;
-    for (size_t t = 0; t < triangles_.size(); ++t) {
-      for (int k = 0; is_added_[t] && k < 3; ++k) {
-        const std::pair<int32_t, int32_t> edge = std::minmax(triangles_[t][k], triangles_[t][(k + 1) % 3]);
-        if (std::binary_search(rim_.begin(), rim_.end(), edge)) filled.insert(edge);
+  void LookForCrossings() {
+    const std::vector<CrossingPair> pairs = CrossingPairs();
+    if (pairs.empty()) return;
+    const std::vector<bool> of_input = ContinueCrossings(points_, triangles_, is_added_, pairs);
+    std::map<int32_t, AddedFault> worst;  // of each added triangle that crosses
+    for (size_t i = 0; i < pairs.size(); ++i) {
+      const auto [a, b] = pairs[i];
+      const AddedFault fault = of_input[i]                    ? AddedFault::kCrossedRim
+                               : is_added_[a] && is_added_[b] ? AddedFault::kCrossedFill
+                                                              : AddedFault::kCrossedSurface;
+      for (const int32_t t : {a, b}) {
+        if (!is_added_[t]) continue;
+        AddedFault& known = worst.try_emplace(t, fault).first->second;
+        known = std::min(known, fault);
       }
     }
-    rim_.assign(filled.begin(), filled.end());
-    std::vector<Eigen::AlignedBox3d> boxes;
-    for (const auto& [a, b] : rim_) boxes.push_back(Eigen::AlignedBox3d(points_[a]).extend(points_[b]));
-    return BoxTree(boxes);
+    for (const auto& [t, fault] : worst) {
+      const SpaceTriangle placed = InSpace(t);
+      found_.faults[fault].push_back((placed[0] + placed[1] + placed[2]) / 3);
+    }
   }
 
-  // Whether triangle t has a point in common with such an edge that it has no corner at.
-  bool PassesThroughRim(int32_t t, const BoxTree& filled_rim) const {
-    const Triangle& own = triangles_[t];
-    const auto has = [&](int32_t v) { return std::find(own.begin(), own.end(), v) != own.end(); };
-    return filled_rim.AnyMeeting(BoxOf(InSpace(t)), [&](int32_t e) {
-      const auto [a, b] = rim_[e];
-      return !has(a) && !has(b) && SegmentCrosses(points_[a], points_[b], InSpace(t));
-    });
-  }
-
-  void LookForCrossings() {
-    if (std::find(is_added_.begin(), is_added_.end(), true) == is_added_.end()) return;
-    const BoxTree filled_rim = FilledRim();
+  // Of which one or both were added, sorted.
+  std::vector<CrossingPair> CrossingPairs() const {
+    std::vector<CrossingPair> pairs;
+    if (std::ranges::find(is_added_, true) == is_added_.end()) return pairs;
     std::vector<Eigen::AlignedBox3d> boxes;
     for (int32_t t = 0; t < std::ssize(triangles_); ++t) boxes.push_back(BoxOf(InSpace(t)));
     const CornerCones cones(points_, triangles_);
     const BoxTree tree(boxes);
     for (int32_t a = 0; a < std::ssize(triangles_); ++a) {
       if (!is_added_[a]) continue;
-      bool fill = false, surface = false, rim = false;
       tree.AnyMeeting(boxes[a], [&](int32_t b) {
-        if (a == b || cones.AreApart(a, b) || !TrianglesCross(InSpace(a), InSpace(b))) return false;
-        (is_added_[b] ? fill : PassesThroughRim(b, filled_rim) ? rim : surface) = true;
-        return fill;
+        if (a == b || (is_added_[b] && b < a)) return false;
+        if (!cones.AreApart(a, b) && TrianglesCross(InSpace(a), InSpace(b))) {
+          pairs.push_back({std::min(a, b), std::max(a, b)});
+        }
+        return false;
       });
-      if (!fill && !surface && !rim) continue;
-      const SpaceTriangle t = InSpace(a);
-      const AddedFault fault = fill      ? AddedFault::kCrossedFill
-                               : surface ? AddedFault::kCrossedSurface
-                                         : AddedFault::kCrossedRim;
-      found_.faults[fault].push_back((t[0] + t[1] + t[2]) / 3);
     }
+    std::ranges::sort(pairs);
+    return pairs;
   }
 
   PositionIndex index_;
@@ -163,7 +157,6 @@ class AddedFaultFinder {
   std::vector<Triangle> triangles_;  // of the tile after, with area
   std::vector<bool> is_added_;       // of triangles_
   std::vector<EdgeSide> sides_;
-  std::vector<std::pair<int32_t, int32_t>> rim_;  // boundary edges of the input
   AddedFindings found_;
 };
 

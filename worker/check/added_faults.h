@@ -11,10 +11,10 @@
 namespace tilemend {
 
 enum class AddedFault {
-  kCrossedFill,      // an added triangle that crosses another added one (TrianglesCross)
+  kCrossedFill,      // an added triangle that crosses another added one (TrianglesCross), not as kCrossedRim
   kCrossedSurface,   // an added triangle that crosses no added one, but an original one
-  kCrossedRim,       // the same, where the original one passes through the boundary of a filled hole: no patch is free
-                     // of it (CrossingCheck). The input's fault
+  kCrossedRim,       // one that crosses others only along curves that go on between two original triangles, through the
+                     // boundary of a filled hole (ContinueCrossings). The input's fault: no patch is free of it
   kNonManifoldEdge,  // an edge with more than two triangles that had at most two before
   kTurnedEdge,       // an edge whose two triangles face opposite ways, one of them or both added
   kFlatTriangle,     // an added triangle without area

@@ -43,6 +43,13 @@ class AddedFaultsTest : public ::testing::Test {
     for (const Triangle& t : triangles) after.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
     return Find(before_.mesh, after);
   }
+  // Corners: numbers of these points.
+  void AddOriginals(const std::vector<Point3>& points, const std::vector<Triangle>& triangles) {
+    TriMesh& mesh = before_.mesh;
+    const auto first = static_cast<int32_t>(mesh.points.size());
+    mesh.points.insert(mesh.points.end(), points.begin(), points.end());
+    for (const Triangle& t : triangles) mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
   static int64_t NewOpen(const AddedFindings& found) {
     return std::count_if(found.open.begin(), found.open.end(),
                          [](const OpenEdge& e) { return e.after == 1 && e.before != 1; });
@@ -100,6 +107,22 @@ TEST_F(AddedFaultsTest, SurfaceThatPassesThroughTheRimIsAFaultOfTheInput) {
   const AddedFindings found = With({{0, 1, 2}, {0, 2, 3}});
   EXPECT_THAT(found.faults.at(AddedFault::kCrossedRim), SizeIs(1));
   EXPECT_THAT(found.faults, SizeIs(1));
+}
+
+TEST_F(AddedFaultsTest, ACurveThatBeginsAtTheRimIsTheInputsToItsEnd) {
+  // A fence at x = 1.5 of two triangles: one passes through the edge of the hole, the other goes on inside it.
+  AddOriginals({{1.5, 0.9, -1}, {1.5, 0.9, 1}, {1.5, 1.1, 1}, {1.5, 1.4, -1}}, {{0, 2, 1}, {0, 3, 2}});
+  const AddedFindings found = With({{0, 1, 2}, {0, 2, 3}});
+  EXPECT_THAT(found.faults.at(AddedFault::kCrossedRim), SizeIs(1));
+  EXPECT_THAT(found.faults, SizeIs(1));
+}
+
+// The fill is a pit. The same triangle passes through the rim, and once more through the fill where that comes up.
+TEST_F(AddedFaultsTest, AnotherCurveThroughTheSameTriangleIsNew) {
+  AddOriginals({{1.5, 0.9, -0.2}, {1.5, 0.9, 0.2}, {1.5, 1.97, -0.5}}, {{0, 1, 2}});
+  const AddedFindings found = With({{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}, {{1.5, 1.5, -2}});
+  EXPECT_THAT(found.faults.at(AddedFault::kCrossedRim), SizeIs(1));
+  EXPECT_THAT(found.faults.at(AddedFault::kCrossedSurface), SizeIs(1));
 }
 
 TEST_F(AddedFaultsTest, TrianglesWithoutAnOriginalVertexAreInner) {

@@ -20,8 +20,10 @@
 #include "common/mesh/triangle_shape.h"
 #include "worker/fill/space/cone_fill.h"
 #include "worker/fill/space/crossing_index.h"
+#include "worker/fill/space/height_over.h"
 #include "worker/fill/space/loop_bridges.h"
 #include "worker/fill/space/patch_crossings.h"
+#include "worker/fill/space/patch_edit.h"
 #include "worker/fill/space/sound_triangulation.h"
 
 namespace tilemend {
@@ -38,155 +40,20 @@ constexpr Reach kReaches[] = {{0, false}, {1, true}, {1, false}, {3, true}, {2, 
 constexpr size_t kLongestLoop = 60;
 // Of the mean edge of what is taken out: how far surface that faces up may move there along the vertical.
 constexpr double kMostOff = 0.25;
-constexpr double kFacesUp = 0.5;  // cosine
 
-using Piece = std::vector<int32_t>;  // triangles that hang together at edges, rising
-
-BoxTree TreeOf(std::span<const SpaceTriangle> triangles) {
-  std::vector<Eigen::AlignedBox3d> boxes;
-  boxes.reserve(triangles.size());
-  for (const SpaceTriangle& t : triangles) boxes.push_back(BoxOf(t));
-  return BoxTree(boxes);
-}
-
-// Of the triangle over p, along the vertical; infinity where it lies neither over nor under p.
-double HeightOver(const SpaceTriangle& t, const Point3& p) {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  const Eigen::Vector3d normal = TwiceVectorArea(t);
-  if (normal.z() == 0) return kNone;
-  for (int k = 0; k < 3; ++k) {
-    const Point2 side = (t[(k + 1) % 3] - t[k]).head<2>(), to = (p - t[k]).head<2>();
-    if ((side.x() * to.y() - side.y() * to.x()) * normal.z() < 0) return kNone;
-  }
-  return normal.dot(t[0] - p) / normal.z();
-}
-
-// A patch whose triangles are taken out and put in. New ones come behind those that were there.
-class PatchEdit {
- public:
-  PatchEdit(const LocalHole& hole, LocalPatch& patch) : hole_(hole), patch_(patch) {
-    for (const Triangle& t : patch.triangles) placed_.push_back(Place(t));
-    for (int32_t t = 0; t < count(); ++t) AddEdges(t);
-    tree_ = TreeOf(placed_);
-    first_new_ = placed_.size();
-    is_gone_.assign(placed_.size(), false);
-  }
-
-  // Makes the patch what it has become.
-  void Finish() {
-    size_t t = 0;
-    std::erase_if(patch_.triangles, [&](const Triangle&) { return is_gone_[t++]; });
-  }
-
-  int32_t count() const { return static_cast<int32_t>(patch_.triangles.size()); }
-  const Triangle& Corners(int32_t t) const { return patch_.triangles[t]; }
-  const SpaceTriangle& Placed(int32_t t) const { return placed_[t]; }
-  Point3 At(int32_t v) const { return v < hole_.size() ? hole_.positions[v] : patch_.new_points[v - hole_.size()]; }
-  SpaceTriangle Place(const Triangle& t) const { return {At(t[0]), At(t[1]), At(t[2])}; }
-
-  int32_t AddPoint(const Point3& p) {
-    patch_.new_points.push_back(p);
-    return hole_.size() + static_cast<int32_t>(patch_.new_points.size()) - 1;
-  }
-
-  void TakeOut(int32_t t) {
-    is_gone_[t] = true;
-    for (int k = 0; k < 3; ++k) std::erase(at_edge_[EdgeOf(t, k)], t);
-  }
-
-  void PutBack(int32_t t) {
-    is_gone_[t] = false;
-    AddEdges(t);
-  }
-
-  void PutIn(const Triangle& t) {
-    patch_.triangles.push_back(t);
-    placed_.push_back(Place(t));
-    is_gone_.push_back(false);
-    AddEdges(count() - 1);
-  }
-
-  bool FacesUp(int32_t t) const {
-    const Eigen::Vector3d normal = TwiceVectorArea(placed_[t]);
-    return normal.z() > kFacesUp * normal.norm();
-  }
-
-  // Whether a triangle has an edge with more than two, those of the surface counted.
-  bool HasOverfullEdge(int32_t t) const {
-    for (int k = 0; k < 3; ++k) {
-      const VertexPair edge = EdgeOf(t, k);
-      const int beside = edge.second < hole_.size() ? hole_.TrianglesBeside(edge.first, edge.second) : 0;
-      if (std::ssize(at_edge_.at(edge)) + beside > 2) return true;
-    }
-    return false;
-  }
-
-  // Whether a new edge may be made between two vertices.
-  bool MayJoin(int32_t a, int32_t b) const {
-    return a != b && !TriangleAt(a, b) && (std::max(a, b) >= hole_.size() || hole_.MayJoin(a, b));
-  }
-
-  // Of what lies beside an edge, in the patch or on the surface; zero if unknown.
-  Eigen::Vector3d NormalBeside(int32_t from, int32_t to) const {
-    if (const std::optional<int32_t> t = TriangleAt(from, to)) return TwiceVectorArea(placed_[*t]).normalized();
-    if (std::max(from, to) >= hole_.size()) return Eigen::Vector3d::Zero();
-    return hole_.NormalBeside(from, to);
-  }
-
-  // Calls use(t) for each triangle of the patch that meets the box.
-  template <typename Use>
-  void ForEachIn(const Eigen::AlignedBox3d& box, const Use& use) const {
-    tree_.AnyMeeting(box, [&](int32_t t) {
-      if (!is_gone_[t]) use(placed_[t]);
-      return false;
-    });
-    for (size_t t = first_new_; t < placed_.size(); ++t) {
-      if (!is_gone_[t]) use(placed_[t]);
-    }
-  }
-
-  std::vector<Piece> PiecesOf(const std::vector<bool>& taken) const {
-    DisjointSets sets(static_cast<int32_t>(taken.size()));
-    for (const auto& [edge, around] : at_edge_) {
-      if (around.size() == 2 && taken[around[0]] && taken[around[1]]) sets.Join(around[0], around[1]);
-    }
-    std::map<int32_t, Piece> by_lowest;
-    for (int32_t t = 0; t < std::ssize(taken); ++t) {
-      if (taken[t]) by_lowest[sets.LowestOf(t)].push_back(t);
-    }
-    std::vector<Piece> pieces;
-    for (auto& [lowest, piece] : by_lowest) pieces.push_back(std::move(piece));
-    return pieces;
-  }
-
- private:
-  VertexPair EdgeOf(int32_t t, int k) const {
-    return Undirected(patch_.triangles[t][k], patch_.triangles[t][(k + 1) % 3]);
-  }
-
-  void AddEdges(int32_t t) {
-    for (int k = 0; k < 3; ++k) at_edge_[EdgeOf(t, k)].push_back(t);
-  }
-
-  std::optional<int32_t> TriangleAt(int32_t a, int32_t b) const {
-    const auto there = at_edge_.find(Undirected(a, b));
-    return there == at_edge_.end() || there->second.empty() ? std::nullopt : std::optional(there->second[0]);
-  }
-
-  const LocalHole& hole_;
-  LocalPatch& patch_;
-  std::vector<SpaceTriangle> placed_;  // of patch_.triangles
-  BoxTree tree_;                       // of those that were there
-  size_t first_new_ = 0;
-  std::vector<bool> is_gone_;
-  std::map<VertexPair, std::vector<int32_t>> at_edge_;  // of those that are not gone
+// A loop that passes its bridges to and fro.
+struct BridgedLoop {
+  VertexLoop loop;
+  std::set<VertexPair> bridges;
 };
+
+using Boundary = std::vector<BridgedLoop>;  // of a piece; each is closed by itself
 
 class CrossingMender {
  public:
   CrossingMender(const LocalHole& hole, LocalPatch patch, CrossingCheck& check)
       : hole_(hole), check_(check), patch_(std::move(patch)), surface_(check.Surface().begin(), check.Surface().end()) {
-    surface_tree_ = TreeOf(surface_);
+    surface_tree_ = TreeOver(surface_);
   }
 
   LocalPatch Run(std::vector<int32_t> crossed) {
@@ -208,8 +75,31 @@ class CrossingMender {
  private:
   void ReplaceAround(const std::vector<int32_t>& crossed, const Reach& reach) {
     PatchEdit edit(hole_, patch_);
-    for (const Piece& piece : edit.PiecesOf(Around(edit, crossed, reach))) Replace(piece, edit);
+    const std::vector<Piece> pieces = edit.PiecesOf(Around(edit, crossed, reach));
+    for (const std::vector<Piece>& group : GroupsOf(pieces, edit)) {
+      if (Replace(group, edit) || group.size() == 1) continue;
+      for (const Piece& piece : group) Replace({&piece, 1}, edit);
+    }
     edit.Finish();
+  }
+
+  // Pieces that cross each other, directly or by others: while one of them is there, it is in the way of the other.
+  static std::vector<std::vector<Piece>> GroupsOf(std::span<const Piece> pieces, const PatchEdit& edit) {
+    std::vector<SpaceTriangle> placed;
+    std::vector<int32_t> piece_of;
+    for (size_t k = 0; k < pieces.size(); ++k) {
+      for (const int32_t t : pieces[k]) {
+        placed.push_back(edit.Placed(t));
+        piece_of.push_back(static_cast<int32_t>(k));
+      }
+    }
+    DisjointSets sets(static_cast<int32_t>(pieces.size()));
+    for (const auto& [a, b] : SelfCrossings(placed)) sets.Join(piece_of[a], piece_of[b]);
+    std::map<int32_t, std::vector<Piece>> by_lowest;
+    for (int32_t k = 0; k < std::ssize(pieces); ++k) by_lowest[sets.LowestOf(k)].push_back(pieces[k]);
+    std::vector<std::vector<Piece>> groups;
+    for (auto& [lowest, group] : by_lowest) groups.push_back(std::move(group));
+    return groups;
   }
 
   std::vector<bool> Around(const PatchEdit& edit, const std::vector<int32_t>& crossed, const Reach& reach) const {
@@ -228,25 +118,68 @@ class CrossingMender {
     return taken;
   }
 
-  // Puts triangles that cross nothing in place of those of a piece, if there are any.
-  void Replace(const Piece& piece, PatchEdit& edit) const {
-    std::set<VertexPair> bridges;
-    const std::optional<VertexLoop> loop = BoundaryOf(piece, edit, bridges);
-    if (!loop || loop->size() > kLongestLoop) return;
-    for (const int32_t t : piece) edit.TakeOut(t);
-    if (loop->empty()) return;  // it was closed by itself, and closed nothing
-    const int32_t first = edit.count();
-    for (const Triangle& t : Close(*loop, bridges, edit)) edit.PutIn(t);
-    if (edit.count() > first && IsManifold(first, edit) && KeepsHeights(piece, *loop, first, edit)) return;
-    for (int32_t t = first; t < edit.count(); ++t) edit.TakeOut(t);
-    for (const int32_t t : piece) edit.PutBack(t);
+  // Takes out pieces, and closes all of them with triangles that cross nothing. Returns false, with the pieces as they
+  // were, if one of them is not closed.
+  bool Replace(std::span<const Piece> pieces, PatchEdit& edit) const {
+    std::vector<std::vector<Boundary>> boundaries;
+    for (const Piece& piece : pieces) boundaries.push_back(BoundariesOf(piece, edit));
+    for (const Piece& piece : pieces) std::ranges::for_each(piece, [&](int32_t t) { edit.TakeOut(t); });
+    const int32_t before = edit.count();
+    for (size_t k = 0; k < pieces.size(); ++k) {
+      const auto closes = [&](const Boundary& boundary) { return CloseSoundly(pieces[k], boundary, edit); };
+      if (std::ranges::any_of(boundaries[k], closes)) continue;
+      edit.TakeOutFrom(before);
+      for (const Piece& piece : pieces) std::ranges::for_each(piece, [&](int32_t t) { edit.PutBack(t); });
+      return false;
+    }
+    return true;
   }
 
-  // In one loop: several are tied together by the shortest ways, which it adds to `bridges`. Empty if the piece has no
-  // boundary; none if it does not form loops, or no bridge may be built.
-  static std::optional<VertexLoop> BoundaryOf(const Piece& piece, const PatchEdit& edit,
-                                              std::set<VertexPair>& bridges) {
-    std::vector<VertexLoop> loops = LoopsAround(piece, edit);
+  bool CloseSoundly(const Piece& piece, const Boundary& boundary, PatchEdit& edit) const {
+    const int32_t first = edit.count();
+    const bool closes = std::ranges::all_of(boundary, [&](const BridgedLoop& loop) {
+      const std::vector<Triangle> triangles = Close(loop, edit);
+      for (const Triangle& t : triangles) edit.PutIn(t);
+      return !triangles.empty();
+    });
+    if (closes && IsManifold(first, edit) && KeepsHeights(piece, boundary, first, edit)) return true;
+    edit.TakeOutFrom(first);
+    return false;
+  }
+
+  // The ways to see the boundary, the best first. Several loops are closed one by one, as a hole in a facade over one
+  // in the ground. Or they are tied to one loop by the shortest ways, as the outer and the inner loop of a ring. None
+  // if it forms no loops, or they are too long; one without loops if there is no boundary: the piece closes nothing.
+  static std::vector<Boundary> BoundariesOf(const Piece& piece, const PatchEdit& edit) {
+    const std::vector<VertexLoop> loops = LoopsAround(piece, edit);
+    std::vector<Boundary> boundaries;
+    const auto is_lid = [&](const VertexLoop& loop) { return FacesDown(loop, edit); };
+    if (loops.size() > 1 && std::ranges::none_of(loops, is_lid)) {
+      Boundary& apart = boundaries.emplace_back();
+      for (const VertexLoop& loop : loops) apart.push_back({loop, {}});
+    }
+    if (loops.size() == 1) boundaries.push_back({{loops[0], {}}});
+    if (loops.size() > 1) {
+      if (std::optional<BridgedLoop> tied = Tied(loops, edit)) boundaries.push_back({*std::move(tied)});
+    }
+    if (loops.empty()) boundaries.emplace_back();
+    std::erase_if(boundaries, [](const Boundary& boundary) {
+      return std::ranges::any_of(boundary, [](const BridgedLoop& b) { return b.loop.size() > kLongestLoop; });
+    });
+    return boundaries;
+  }
+
+  static bool FacesDown(const VertexLoop& loop, const PatchEdit& edit) {
+    Eigen::Vector3d area = Eigen::Vector3d::Zero();
+    for (size_t i = 1; i + 1 < loop.size(); ++i) {
+      area += TwiceVectorArea(SpaceTriangle{edit.At(loop[0]), edit.At(loop[i]), edit.At(loop[i + 1])});
+    }
+    return area.z() < -kFacesUp * area.norm();
+  }
+
+  // None if no bridge may be built.
+  static std::optional<BridgedLoop> Tied(std::vector<VertexLoop> loops, const PatchEdit& edit) {
+    std::set<VertexPair> bridges;
     const BridgeEnds ends = {
         [&](int32_t v) { return edit.At(v); },
         [&](int32_t a, int32_t b) { return edit.MayJoin(a, b) && !bridges.contains(Undirected(a, b)); }};
@@ -256,7 +189,7 @@ class CrossingMender {
       const VertexPair tied = Undirected(loops[0][next[0].from], loops[next[0].loop][next[0].to]);
       if (BuildBridge(next[0], loops)) bridges.insert(tied);
     }
-    return loops.empty() ? VertexLoop() : loops[0];
+    return BridgedLoop{std::move(loops[0]), std::move(bridges)};
   }
 
   static std::vector<VertexLoop> LoopsAround(const Piece& piece, const PatchEdit& edit) {
@@ -278,7 +211,8 @@ class CrossingMender {
   }
 
   // Triangles that close the loop and cross nothing; empty if none are found.
-  std::vector<Triangle> Close(const VertexLoop& loop, const std::set<VertexPair>& bridges, PatchEdit& edit) const {
+  std::vector<Triangle> Close(const BridgedLoop& bridged, PatchEdit& edit) const {
+    const auto& [loop, bridges] = bridged;
     std::vector<Point3> places;
     std::vector<Eigen::Vector3d> outside;
     Eigen::AlignedBox3d box;
@@ -290,15 +224,16 @@ class CrossingMender {
     const std::function<bool(int32_t, int32_t)> allowed = [&](int32_t i, int32_t k) {
       return edit.MayJoin(loop[i], loop[k]) && !bridges.contains(Undirected(loop[i], loop[k]));
     };
-    const CrossingIndex taken = Within(box, edit);
-    std::vector<Triangle> triangles = TriangulateSoundly(places, outside, allowed, taken);
+    std::vector<Triangle> triangles = TriangulateSoundly(places, outside, allowed, Within(box, edit));
     std::vector<SpaceTriangle> placed;
     for (const Triangle& t : triangles) placed.push_back({places[t[0]], places[t[1]], places[t[2]]});
     VertexLoop vertices = loop;
     if (triangles.empty() || !SelfCrossings(placed).empty()) {
-      if (hole_.level) return {};  // a new point would not be at it
+      if (hole_.level) return {};                                    // a new point would not be at it
+      const Point3 reach = Point3::Constant(box.diagonal().norm());  // no tip lies farther from the middle
+      const CrossingIndex taken = Within({box.min() - reach, box.max() + reach}, edit);
       const std::optional<ConeFill> cone =
-          CloseByCone(places, outside, allowed, taken, [&](const Point3& p) { return Storable(p); });
+          CloseByCone(places, outside, allowed, taken, [&](const Point3& p) { return FreePlaceAt(p, taken); });
       if (!cone) return {};
       triangles = cone->triangles;
       vertices.push_back(edit.AddPoint(cone->tip));
@@ -318,9 +253,14 @@ class CrossingMender {
     return CrossingIndex(there);
   }
 
-  Point3 Storable(const Point3& p) const {
-    return RoundedTo(hole_.cell->float32 ? NumberType::kFloat32 : NumberType::kFloat64,
-                     RoundedToLattice(p, hole_.cell->lattice_step));
+  // Where a file can hold a point near p; none (not finite) where there is a corner: both would be written as one
+  // vertex.
+  Point3 FreePlaceAt(const Point3& p, const CrossingIndex& taken) const {
+    const Point3 place = RoundedTo(hole_.cell->float32 ? NumberType::kFloat32 : NumberType::kFloat64,
+                                   RoundedToLattice(p, hole_.cell->lattice_step));
+    const auto is_corner_of = [&](const SpaceTriangle& t) { return std::ranges::find(t, place) != t.end(); };
+    constexpr double kNowhere = std::numeric_limits<double>::infinity();
+    return std::ranges::any_of(taken.triangles(), is_corner_of) ? Point3::Constant(kNowhere) : place;
   }
 
   static bool IsManifold(int32_t first, const PatchEdit& edit) {
@@ -331,7 +271,7 @@ class CrossingMender {
   }
 
   // Whether the vertices that go and lie amid surface that faces up are near what comes.
-  static bool KeepsHeights(const Piece& piece, const VertexLoop& loop, int32_t first, const PatchEdit& edit) {
+  static bool KeepsHeights(const Piece& piece, const Boundary& boundary, int32_t first, const PatchEdit& edit) {
     double edges = 0;
     std::set<int32_t> inner;
     for (const int32_t t : piece) {
@@ -339,7 +279,9 @@ class CrossingMender {
       for (int k = 0; k < 3; ++k) edges += (p[(k + 1) % 3] - p[k]).norm() / 3;
       inner.insert(edit.Corners(t).begin(), edit.Corners(t).end());
     }
-    for (const int32_t v : loop) inner.erase(v);
+    for (const BridgedLoop& b : boundary) {
+      for (const int32_t v : b.loop) inner.erase(v);
+    }
     for (const int32_t t : piece) {
       for (const int32_t v : edit.Corners(t)) {
         if (!edit.FacesUp(t)) inner.erase(v);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -85,6 +86,70 @@ TEST_F(MendCrossingsTest, DropsWhatClosesNothing) {
   const LocalPatch mended = Mended();
   EXPECT_THAT(mended.triangles, SizeIs(sound));
   EXPECT_THAT(mended.new_points, SizeIs(1));
+}
+
+// A hole of two discs of the same size: one in the ground and one in the wall.
+class MendCrossingsOfTwoTest : public testing::Test {
+ protected:
+  // Each loop, from its vertex that is lowest in y and z, then x.
+  std::vector<std::vector<int32_t>> Loops() const {
+    std::vector<std::vector<int32_t>> loops = LoopsOf(hole_.segments);
+    for (std::vector<int32_t>& loop : loops) {
+      const auto key = [&](int32_t v) {
+        const Point3& p = hole_.positions[v];
+        return std::pair(p.y() + p.z(), p.x());
+      };
+      std::ranges::rotate(loop, std::ranges::min_element(loop, {}, key));
+    }
+    return loops;
+  }
+
+  void ExpectMended(LocalPatch patch) {
+    CrossingCheck check(hole_, ReachOf(work_, work_.holes[0]), {}, {});
+    ASSERT_THAT(check.Crossed(patch), SizeIs(patch.triangles.size()));
+    LocalPatch mended = MendCrossings(hole_, std::move(patch), check);
+    EXPECT_THAT(check.Crossed(mended), IsEmpty());
+    const std::vector<int32_t> first = Loops()[0];
+    for (const Triangle& t : mended.triangles) {
+      const auto in_first = [&](int32_t v) { return std::ranges::find(first, v) != first.end(); };
+      EXPECT_EQ(in_first(t[0]), in_first(t[1]));
+      EXPECT_EQ(in_first(t[0]), in_first(t[2]));
+    }
+    ExpectClosesHole(work_, work_.holes[0], ToHolePatch(hole_, std::move(mended)));
+  }
+
+  const CellHoles work_ =
+      WorkOfSheet([](double u, double v) { return Disc(0, -5, 2)(u, v) || Disc(0, 5, 2)(u, v); }, FoldToBuilding, 0);
+  const CellBand band_{work_};
+  const LocalHole hole_ = MakeLocalHole(work_, band_, work_.holes[0]);
+};
+
+// Each passes through the other's hole: neither can be closed while the other one is there.
+TEST_F(MendCrossingsOfTwoTest, TakesOutPiecesTogetherThatCrossEachOther) {
+  LocalPatch patch;
+  for (size_t k = 0; k < 2; ++k) {
+    const std::vector<int32_t> loop = Loops()[k];
+    const bool is_in_ground = hole_.positions[loop[0]].z() == 0;
+    patch.new_points.push_back(is_in_ground ? Point3(0, 4.5, 9.5) : Point3(0, -9.5, -4.5));
+    for (size_t i = 0; i < loop.size(); ++i) {
+      patch.triangles.push_back({loop[i], loop[(i + 1) % loop.size()], hole_.size() + static_cast<int32_t>(k)});
+    }
+  }
+  ExpectMended(std::move(patch));
+}
+
+// A tube between both that is twisted by nearly half a turn.
+TEST_F(MendCrossingsOfTwoTest, ClosesTheLoopsOfAPieceOneByOne) {
+  const std::vector<int32_t> a = Loops()[0], b = Loops()[1];
+  const size_t n = a.size();
+  ASSERT_EQ(n, b.size());
+  LocalPatch patch;
+  for (size_t i = 0; i < n; ++i) {
+    const auto opposite = [&](size_t k) { return b[(2 * n + 1 - k) % n]; };
+    patch.triangles.push_back({a[i], a[(i + 1) % n], opposite(i)});
+    patch.triangles.push_back({a[(i + 1) % n], opposite(i + 1), opposite(i)});
+  }
+  ExpectMended(std::move(patch));
 }
 
 // A hill of the patch: what faces up stays near where it was, or it is left as it is.

@@ -1,0 +1,44 @@
+#include "worker/check/crossing_curves.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace tilemend {
+namespace {
+
+using ::testing::Each;
+using ::testing::ElementsAre;
+
+// A strip of triangles in the plane z = 0 along x, from 0 to 4, and a fence across it at y = 0.5 of two triangles.
+// Their common edge passes through triangle 2 of the strip.
+class CrossingCurvesTest : public ::testing::Test {
+ protected:
+  std::vector<bool> Continue(const std::vector<bool>& is_added, const std::vector<CrossingPair>& pairs) const {
+    return ContinueCrossings(points_, triangles_, is_added, pairs);
+  }
+
+  const std::vector<Point3> points_ = {{0, 0, 0}, {0, 1, 0},      {2, 0, 0},     {2, 1, 0},     {4, 0, 0},
+                                       {4, 1, 0}, {0.5, 0.5, -1}, {0.5, 0.5, 1}, {2.5, 0.5, 1}, {3.5, 0.5, -1}};
+  const std::vector<Triangle> triangles_ = {{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}, {6, 8, 7}, {6, 9, 8}};
+  const std::vector<CrossingPair> all_ = {{0, 4}, {1, 4}, {1, 5}, {2, 5}};
+};
+
+TEST_F(CrossingCurvesTest, FollowsACurveOverTheEdgesOfBothSurfaces) {
+  // All of the strip but its beginning is new, and the second half of the fence.
+  EXPECT_THAT(Continue({false, true, true, true, false, true}, {all_[1], all_[2], all_[3]}), Each(true));
+}
+
+TEST_F(CrossingCurvesTest, ACurveBetweenNewTrianglesEndsAtTheInputIfThatDoesNotCross) {
+  // The part of the fence that crosses the old part of the strip is new as well.
+  EXPECT_THAT(Continue({false, true, true, true, true, true}, all_), Each(false));
+}
+
+TEST_F(CrossingCurvesTest, CurvesApartAreToldApart) {
+  // The fence's middle is no crossing of this list, so that its two ends are curves of their own.
+  EXPECT_THAT(Continue({false, true, true, true, false, true}, {all_[1], all_[3]}), ElementsAre(true, false));
+}
+
+}  // namespace
+}  // namespace tilemend
