@@ -153,7 +153,7 @@ absl::StatusOr<bool> JobRunner::PrepareToBeginAgain(std::unique_ptr<JobPipeline>
   }
   pipeline.reset();
   TILEMEND_RETURN_IF_ERROR(sink_.begins_again());
-  for (const std::string& input : std::exchange(outstanding_, {})) blobs_->LetGo(input);
+  while (!outstanding_.empty()) LetGo(std::string(outstanding_.begin()->first));
   resumes_ = Resumption::kRevocation;
   std::lock_guard<std::mutex> lock(mutex_);
   // No task is out, so that no more come.
@@ -225,8 +225,7 @@ absl::Status JobRunner::TakeDelivery(JobPipeline& pipeline, Delivery delivery) {
     TILEMEND_RETURN_IF_ERROR(failure_);
   }
   if (delivery.content.has_value()) queued_bytes_ -= delivery.content->size();
-  outstanding_.erase(outstanding_.find(delivery.task.input));
-  blobs_->LetGo(delivery.task.input);
+  LetGo(delivery.task.input);
   TILEMEND_ASSIGN_OR_RETURN(TaskResult result, ToResult(delivery.task, std::move(delivery.content), *blobs_));
   TILEMEND_ASSIGN_OR_RETURN(std::vector<NewTask> tasks, pipeline.OnTaskDone(std::move(result)));
   if (const auto caught = pipeline.Caught()) {
@@ -237,12 +236,29 @@ absl::Status JobRunner::TakeDelivery(JobPipeline& pipeline, Delivery delivery) {
   return AddTasks(pipeline, std::move(tasks));
 }
 
+absl::StatusOr<std::string> JobRunner::HoldInput(NewTask& task) {
+  std::vector<std::string> parts;
+  for (const InputPart& part : task.parts) {
+    TILEMEND_RETURN_IF_ERROR(blobs_->Hold(part.digest, part.read));
+    parts.push_back(part.digest);
+  }
+  TILEMEND_ASSIGN_OR_RETURN(std::string digest, blobs_->Hold(std::move(task.input)));
+  outstanding_.emplace(digest, std::move(parts));
+  return digest;
+}
+
+void JobRunner::LetGo(const std::string& input) {
+  const auto task = outstanding_.find(input);
+  blobs_->LetGo(input);
+  for (const std::string& part : task->second) blobs_->LetGo(part);
+  outstanding_.erase(task);
+}
+
 absl::Status JobRunner::AddTasks(JobPipeline& pipeline, std::vector<NewTask> tasks) {
   std::vector<TaskSpec> specs;
   specs.reserve(tasks.size());
   for (NewTask& task : tasks) {
-    TILEMEND_ASSIGN_OR_RETURN(std::string digest, blobs_->Hold(std::move(task.input)));
-    outstanding_.insert(digest);
+    TILEMEND_ASSIGN_OR_RETURN(std::string digest, HoldInput(task));
     specs.push_back({task.cell, task.stage, std::move(digest), {}, {}, std::move(task.avoid)});
   }
   return sink_.add_tasks(std::move(specs), pipeline.GetProgress());

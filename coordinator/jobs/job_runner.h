@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -103,13 +103,17 @@ class JobRunner {
   // too late for that.
   absl::StatusOr<JobOutcome> RunToTheEnd(std::unique_ptr<JobPipeline>& pipeline);
   absl::Status AddTasks(JobPipeline& pipeline, std::vector<NewTask> tasks);
+  // The digest of the task's input. Its blobs are held until LetGo.
+  absl::StatusOr<std::string> HoldInput(NewTask& task);
+  void LetGo(const std::string& input);
 
   const JobSpec spec_;
   const PipelineFactory factory_;
   const std::shared_ptr<BlobFolder> blobs_;
   const Sink sink_;
   std::optional<Resumption> resumes_;       // here and below: the job's thread only
-  std::multiset<std::string> outstanding_;  // inputs of the tasks that are given out and not yet taken back
+  // Of the tasks that are given out and not yet taken back: the inputs, and the parts of each.
+  std::multimap<std::string, std::vector<std::string>> outstanding_;
   std::atomic<size_t> queued_bytes_{0};
   std::atomic<bool> may_write_{true};
   std::atomic<bool> ended_{false};

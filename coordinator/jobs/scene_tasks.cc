@@ -14,6 +14,7 @@
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/smoothed_payloads.h"
 #include "common/rpc/stage_payloads.h"
+#include "common/store/digest.h"
 #include "common/store/fingerprint.h"
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
@@ -39,6 +40,14 @@ absl::StatusOr<Message> TakeUp(const ScratchFile& scratch, const ScratchFile::Pl
 
 absl::StatusOr<ScratchFile::Place> PutAside(ScratchFile& scratch, const google::protobuf::MessageLite& message) {
   return scratch.Put(message.SerializeAsString());
+}
+
+// What several tasks have in their inputs, put aside once.
+absl::StatusOr<InputPart> PartOf(const google::protobuf::MessageLite& message,
+                                 const std::shared_ptr<ScratchFile>& scratch) {
+  const std::string bytes = message.SerializeAsString();
+  TILEMEND_ASSIGN_OR_RETURN(const ScratchFile::Place place, scratch->Put(bytes));
+  return InputPart{Sha256Hex(bytes), [scratch, place] { return scratch->Get(place); }};
 }
 
 constexpr size_t kMostStampBytes = 128;
@@ -191,10 +200,13 @@ absl::StatusOr<NewTask> SceneTasks::Encode(const GroundWork& work) const {
   for (const BoundaryVertex& v : record->vertices) {
     for (int k = 0; k < 3; ++k) input.add_position(v.position[k]);
   }
+  NewTask task{work.cell, Stage::kGround, {}};
   for (const CellId cell : work.around) {
-    TILEMEND_ASSIGN_OR_RETURN(*input.add_rasters(), TakeUp<v1::GroundRasterBlob>(*scratch_, lowest_.at(cell)));
+    const InputPart& part = task.parts.emplace_back(lowest_.at(cell));
+    input.add_parts(part.digest);
   }
-  return NewTask{work.cell, Stage::kGround, input.SerializeAsString()};
+  task.input = input.SerializeAsString();
+  return task;
 }
 
 absl::StatusOr<NewTask> SceneTasks::Encode(ClusterWork& work) {
@@ -344,7 +356,9 @@ absl::Status SceneTasks::TakeOutput(CellId cell, v1::SurveyOutput output) {
   surveyed.set_digest(std::move(tile->digest));
   if (tile->stamp.size() <= kMostStampBytes) surveyed.set_stamp(std::move(tile->stamp));
   TILEMEND_ASSIGN_OR_RETURN(surveyed_[cell], PutAside(*scratch_, surveyed));
-  TILEMEND_ASSIGN_OR_RETURN(lowest_[cell], PutAside(*scratch_, tile->lowest));
+  v1::GroundInput part;
+  *part.add_rasters() = std::move(tile->lowest);
+  TILEMEND_ASSIGN_OR_RETURN(lowest_[cell], PartOf(part, scratch_));
   for (const FileWitness::Read& read : tile->reads) {
     if (read.digest.empty()) continue;
     const std::string& known = file_digests_.try_emplace(read.path, read.digest).first->second;

@@ -29,6 +29,7 @@
 #include "tilemend/v1/work.pb.h"
 #include "worker/service/attempt_files.h"
 #include "worker/service/look_at_folders.h"
+#include "worker/service/part_cache.h"
 #include "worker/service/stage_runner.h"
 #include "worker/service/work_link.h"
 #include "worker/service/worker_metrics.h"
@@ -104,7 +105,9 @@ class Worker {
   // To be told to the coordinator. False if it was dropped: nobody wants it.
   bool TakeReport(const Held& held, const v1::FinishedTask& report);
   void Look(const v1::JobFolders& folders);
+  // With its parts.
   absl::StatusOr<std::string> InputOf(const Held& held);
+  absl::StatusOr<std::string> Fetch(const std::string& job, const std::string& digest);
   std::optional<absl::StatusOr<std::string>> Compute(Held& held, const std::string& input);
   absl::StatusOr<std::string> RunStage(Stage stage, const std::string& input, const CancelToken& cancel);
   void LogFailure(const v1::Task& task, const v1::Status& error) const;
@@ -114,6 +117,7 @@ class Worker {
   const std::string secret_;
   const std::unique_ptr<WorkLink> link_;
   const StageRunner runner_;
+  PartCache parts_;
   WorkerMetrics metrics_;
   Cores cores_;
 
