@@ -353,10 +353,18 @@ absl::StatusOr<std::string> Worker::InputOf(const Held& held) {
     TILEMEND_ASSIGN_OR_RETURN(input, Fetch(job, task.input().digest()));
   }
   for (const std::string& part : PartsOf(static_cast<Stage>(task.stage()), input)) {
-    TILEMEND_ASSIGN_OR_RETURN(const PartCache::Bytes bytes, parts_.Get(part, [&] { return Fetch(job, part); }));
+    TILEMEND_ASSIGN_OR_RETURN(const auto bytes, Part(job, part));
     input += *bytes;
   }
   return input;
+}
+
+absl::StatusOr<std::shared_ptr<const std::string>> Worker::Part(const std::string& job, const std::string& digest) {
+  if (auto known = parts_.Find(digest)) return known;
+  TILEMEND_ASSIGN_OR_RETURN(std::string bytes, Fetch(job, digest));
+  auto part = std::make_shared<const std::string>(std::move(bytes));
+  parts_.Put(digest, part, part->size());
+  return part;
 }
 
 absl::StatusOr<std::string> Worker::Fetch(const std::string& job, const std::string& digest) {

@@ -26,10 +26,10 @@
 #include "common/util/cancel_token.h"
 #include "common/util/cores.h"
 #include "common/util/log.h"
+#include "common/util/recently_used.h"
 #include "tilemend/v1/work.pb.h"
 #include "worker/service/attempt_files.h"
 #include "worker/service/look_at_folders.h"
-#include "worker/service/part_cache.h"
 #include "worker/service/stage_runner.h"
 #include "worker/service/work_link.h"
 #include "worker/service/worker_metrics.h"
@@ -107,6 +107,7 @@ class Worker {
   void Look(const v1::JobFolders& folders);
   // With its parts.
   absl::StatusOr<std::string> InputOf(const Held& held);
+  absl::StatusOr<std::shared_ptr<const std::string>> Part(const std::string& job, const std::string& digest);
   absl::StatusOr<std::string> Fetch(const std::string& job, const std::string& digest);
   std::optional<absl::StatusOr<std::string>> Compute(Held& held, const std::string& input);
   absl::StatusOr<std::string> RunStage(Stage stage, const std::string& input, const CancelToken& cancel);
@@ -117,7 +118,7 @@ class Worker {
   const std::string secret_;
   const std::unique_ptr<WorkLink> link_;
   const StageRunner runner_;
-  PartCache parts_;
+  RecentlyUsed<std::string, std::string> parts_;  // of inputs, by digest
   WorkerMetrics metrics_;
   Cores cores_;
 
