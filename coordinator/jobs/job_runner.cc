@@ -46,6 +46,26 @@ absl::StatusOr<TaskResult> ToResult(const SettledTask& task, std::optional<std::
   return result;
 }
 
+using Outstanding = std::multimap<std::string, std::vector<std::string>>;
+
+// The digest of the task's input. Its blobs are held until LetGo.
+absl::StatusOr<std::string> HoldInput(BlobFolder& blobs, NewTask& task, Outstanding& outstanding) {
+  std::vector<std::string> parts;
+  for (const InputPart& part : task.parts) {
+    TILEMEND_RETURN_IF_ERROR(blobs.Hold(part.digest, part.read));
+    parts.push_back(part.digest);
+  }
+  TILEMEND_ASSIGN_OR_RETURN(std::string digest, blobs.Hold(std::move(task.input)));
+  outstanding.emplace(digest, std::move(parts));
+  return digest;
+}
+
+void LetGo(BlobFolder& blobs, Outstanding& outstanding, Outstanding::iterator task) {
+  blobs.LetGo(task->first);
+  for (const std::string& part : task->second) blobs.LetGo(part);
+  outstanding.erase(task);
+}
+
 }  // namespace
 
 JobRunner::JobRunner(JobSpec spec, PipelineFactory factory, std::shared_ptr<BlobFolder> blobs, Sink sink, Mode mode)
@@ -153,7 +173,7 @@ absl::StatusOr<bool> JobRunner::PrepareToBeginAgain(std::unique_ptr<JobPipeline>
   }
   pipeline.reset();
   TILEMEND_RETURN_IF_ERROR(sink_.begins_again());
-  while (!outstanding_.empty()) LetGo(std::string(outstanding_.begin()->first));
+  while (!outstanding_.empty()) LetGo(*blobs_, outstanding_, outstanding_.begin());
   resumes_ = Resumption::kRevocation;
   std::lock_guard<std::mutex> lock(mutex_);
   // No task is out, so that no more come.
@@ -225,7 +245,7 @@ absl::Status JobRunner::TakeDelivery(JobPipeline& pipeline, Delivery delivery) {
     TILEMEND_RETURN_IF_ERROR(failure_);
   }
   if (delivery.content.has_value()) queued_bytes_ -= delivery.content->size();
-  LetGo(delivery.task.input);
+  LetGo(*blobs_, outstanding_, outstanding_.find(delivery.task.input));
   TILEMEND_ASSIGN_OR_RETURN(TaskResult result, ToResult(delivery.task, std::move(delivery.content), *blobs_));
   TILEMEND_ASSIGN_OR_RETURN(std::vector<NewTask> tasks, pipeline.OnTaskDone(std::move(result)));
   if (const auto caught = pipeline.Caught()) {
@@ -236,29 +256,11 @@ absl::Status JobRunner::TakeDelivery(JobPipeline& pipeline, Delivery delivery) {
   return AddTasks(pipeline, std::move(tasks));
 }
 
-absl::StatusOr<std::string> JobRunner::HoldInput(NewTask& task) {
-  std::vector<std::string> parts;
-  for (const InputPart& part : task.parts) {
-    TILEMEND_RETURN_IF_ERROR(blobs_->Hold(part.digest, part.read));
-    parts.push_back(part.digest);
-  }
-  TILEMEND_ASSIGN_OR_RETURN(std::string digest, blobs_->Hold(std::move(task.input)));
-  outstanding_.emplace(digest, std::move(parts));
-  return digest;
-}
-
-void JobRunner::LetGo(const std::string& input) {
-  const auto task = outstanding_.find(input);
-  blobs_->LetGo(input);
-  for (const std::string& part : task->second) blobs_->LetGo(part);
-  outstanding_.erase(task);
-}
-
 absl::Status JobRunner::AddTasks(JobPipeline& pipeline, std::vector<NewTask> tasks) {
   std::vector<TaskSpec> specs;
   specs.reserve(tasks.size());
   for (NewTask& task : tasks) {
-    TILEMEND_ASSIGN_OR_RETURN(std::string digest, HoldInput(task));
+    TILEMEND_ASSIGN_OR_RETURN(std::string digest, HoldInput(*blobs_, task, outstanding_));
     specs.push_back({task.cell, task.stage, std::move(digest), {}, {}, std::move(task.avoid)});
   }
   return sink_.add_tasks(std::move(specs), pipeline.GetProgress());

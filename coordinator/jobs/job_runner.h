@@ -103,17 +103,13 @@ class JobRunner {
   // too late for that.
   absl::StatusOr<JobOutcome> RunToTheEnd(std::unique_ptr<JobPipeline>& pipeline);
   absl::Status AddTasks(JobPipeline& pipeline, std::vector<NewTask> tasks);
-  // The digest of the task's input. Its blobs are held until LetGo.
-  absl::StatusOr<std::string> HoldInput(NewTask& task);
-  void LetGo(const std::string& input);
 
   const JobSpec spec_;
   const PipelineFactory factory_;
   const std::shared_ptr<BlobFolder> blobs_;
   const Sink sink_;
-  std::optional<Resumption> resumes_;       // here and below: the job's thread only
-  // Of the tasks that are given out and not yet taken back: the inputs, and the parts of each.
-  std::multimap<std::string, std::vector<std::string>> outstanding_;
+  std::optional<Resumption> resumes_;                                 // here and below: the job's thread only
+  std::multimap<std::string, std::vector<std::string>> outstanding_;  // inputs of tasks that are out, and their parts
   std::atomic<size_t> queued_bytes_{0};
   std::atomic<bool> may_write_{true};
   std::atomic<bool> ended_{false};

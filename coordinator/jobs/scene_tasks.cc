@@ -42,10 +42,11 @@ absl::StatusOr<ScratchFile::Place> PutAside(ScratchFile& scratch, const google::
   return scratch.Put(message.SerializeAsString());
 }
 
-// What several tasks have in their inputs, put aside once.
-absl::StatusOr<InputPart> PartOf(const google::protobuf::MessageLite& message,
-                                 const std::shared_ptr<ScratchFile>& scratch) {
-  const std::string bytes = message.SerializeAsString();
+// Of the inputs of ground tasks, put aside once.
+absl::StatusOr<InputPart> PartOf(v1::GroundRasterBlob raster, const std::shared_ptr<ScratchFile>& scratch) {
+  v1::GroundInput part;
+  *part.add_rasters() = std::move(raster);
+  const std::string bytes = part.SerializeAsString();
   TILEMEND_ASSIGN_OR_RETURN(const ScratchFile::Place place, scratch->Put(bytes));
   return InputPart{Sha256Hex(bytes), [scratch, place] { return scratch->Get(place); }};
 }
@@ -200,13 +201,9 @@ absl::StatusOr<NewTask> SceneTasks::Encode(const GroundWork& work) const {
   for (const BoundaryVertex& v : record->vertices) {
     for (int k = 0; k < 3; ++k) input.add_position(v.position[k]);
   }
-  NewTask task{work.cell, Stage::kGround, {}};
-  for (const CellId cell : work.around) {
-    const InputPart& part = task.parts.emplace_back(lowest_.at(cell));
-    input.add_parts(part.digest);
-  }
-  task.input = input.SerializeAsString();
-  return task;
+  std::vector<InputPart> parts;
+  for (const CellId cell : work.around) input.add_parts(parts.emplace_back(lowest_.at(cell)).digest);
+  return NewTask{work.cell, Stage::kGround, input.SerializeAsString(), {}, std::move(parts)};
 }
 
 absl::StatusOr<NewTask> SceneTasks::Encode(ClusterWork& work) {
@@ -356,9 +353,7 @@ absl::Status SceneTasks::TakeOutput(CellId cell, v1::SurveyOutput output) {
   surveyed.set_digest(std::move(tile->digest));
   if (tile->stamp.size() <= kMostStampBytes) surveyed.set_stamp(std::move(tile->stamp));
   TILEMEND_ASSIGN_OR_RETURN(surveyed_[cell], PutAside(*scratch_, surveyed));
-  v1::GroundInput part;
-  *part.add_rasters() = std::move(tile->lowest);
-  TILEMEND_ASSIGN_OR_RETURN(lowest_[cell], PartOf(part, scratch_));
+  TILEMEND_ASSIGN_OR_RETURN(lowest_[cell], PartOf(std::move(tile->lowest), scratch_));
   for (const FileWitness::Read& read : tile->reads) {
     if (read.digest.empty()) continue;
     const std::string& known = file_digests_.try_emplace(read.path, read.digest).first->second;

@@ -1,6 +1,5 @@
 #include "coordinator/plan/make_cell_holes.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,6 +20,20 @@ constexpr double kBandSlack = 4 * kBandStep, kBandSlackShare = 0x1p-26;
 
 bool HasSeam(const std::vector<RimSegment>& segments) {
   return std::any_of(segments.begin(), segments.end(), [](const RimSegment& s) { return s.seam; });
+}
+
+// Where the other tiles have triangles.
+std::vector<Eigen::AlignedBox3d> PlacesOfOthers(const PlanInput& input, CellId tile, const std::set<CellId>& around) {
+  std::vector<Eigen::AlignedBox3d> places;
+  for (const CellId cell : around) {
+    const auto other = input.cells.find(cell);
+    if (cell == tile || other == input.cells.end()) continue;
+    const StoredRecord& record = other->second;
+    if (record == nullptr || record->vertex_count == 0) continue;
+    const Point3 slack = Point3::Constant(kBandSlack) + kBandSlackShare * (record->hi - record->lo);
+    places.emplace_back(record->lo - slack, record->hi + slack);
+  }
+  return places;
 }
 
 class CellHolesBuilder {
@@ -49,7 +62,7 @@ class CellHolesBuilder {
     if (with_band) {
       for (const RimVertex& v : result_.vertices) result_.band.points.push_back(v.position);
       const std::set<CellId> around = CellsAround(holes);
-      for (const CellId tile : around) AddBand(tile, PlacesOfOthers(tile, around));
+      for (const CellId tile : around) AddBand(tile, PlacesOfOthers(input_, tile, around));
     }
     return std::move(result_);
   }
@@ -198,18 +211,6 @@ class CellHolesBuilder {
     if (it == heights_.laplacian.end() || v.laplacian_known) return;
     v.laplacian_known = true;
     v.laplacian = it->second;
-  }
-
-  // Where the other tiles have triangles.
-  std::vector<Eigen::AlignedBox3d> PlacesOfOthers(CellId tile, const std::set<CellId>& around) const {
-    std::vector<Eigen::AlignedBox3d> places;
-    for (const CellId cell : around) {
-      const StoredRecord record = RecordOf(cell);
-      if (cell == tile || record == nullptr || record->vertex_count == 0) continue;
-      const Point3 slack = Point3::Constant(kBandSlack) + kBandSlackShare * (record->hi - record->lo);
-      places.emplace_back(record->lo - slack, record->hi + slack);
-    }
-    return places;
   }
 
   void AddBand(CellId tile, const std::vector<Eigen::AlignedBox3d>& others) {

@@ -100,48 +100,39 @@ absl::StatusOr<std::shared_ptr<BlobFolder>> BlobFolder::Create(const std::string
   return std::make_shared<BlobFolder>(path);
 }
 
-absl::StatusOr<std::string> BlobFolder::Put(std::string_view bytes, Sync sync) {
-  std::string digest = Sha256Hex(bytes);
-  TILEMEND_RETURN_IF_ERROR(Store(digest, bytes, sync));
-  return digest;
-}
-
-absl::Status BlobFolder::Store(const std::string& digest, std::string_view bytes, Sync sync) {
-  if (sync == Sync::kNo && Size(digest).ok()) return absl::OkStatus();
+absl::StatusOr<std::string> BlobFolder::Put(std::string_view bytes, Sync sync, std::string known) {
+  std::string digest = known.empty() ? Sha256Hex(bytes) : std::move(known);
+  if (sync == Sync::kNo && Size(digest).ok()) return digest;
   TILEMEND_ASSIGN_OR_RETURN(const std::unique_ptr<Writer> writer, NewWriter(sync));
   TILEMEND_RETURN_IF_ERROR(writer->Write(bytes));
-  return writer->MoveTo(digest);
+  TILEMEND_RETURN_IF_ERROR(writer->MoveTo(digest));
+  return digest;
 }
 
 absl::StatusOr<std::string> BlobFolder::Hold(std::string bytes) {
   std::string digest = Sha256Hex(bytes);
-  if (!HoldAgain(digest)) TILEMEND_RETURN_IF_ERROR(HoldNew(digest, std::move(bytes)));
+  TILEMEND_RETURN_IF_ERROR(Hold(digest, [&bytes] { return std::move(bytes); }));
   return digest;
 }
 
 absl::Status BlobFolder::Hold(const std::string& digest, const std::function<absl::StatusOr<std::string>()>& read) {
-  if (HoldAgain(digest)) return absl::OkStatus();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (const auto held = held_.find(digest); held != held_.end()) {
+      ++held->second.times;
+      return absl::OkStatus();
+    }
+  }
   TILEMEND_ASSIGN_OR_RETURN(std::string bytes, read());
-  return HoldNew(digest, std::move(bytes));
-}
-
-absl::Status BlobFolder::HoldNew(const std::string& digest, std::string bytes) {
   const size_t size = bytes.size();
   const bool in_memory = TakeMemory(size);
-  if (!in_memory) TILEMEND_RETURN_IF_ERROR(Store(digest, bytes, Sync::kNo));
+  if (!in_memory) TILEMEND_RETURN_IF_ERROR(Put(bytes, Sync::kNo, digest).status());
   std::lock_guard<std::mutex> lock(mutex_);
   HeldBlob& blob = held_[digest];
   const bool is_first = blob.times++ == 0;
   if (is_first && in_memory) blob.bytes = std::make_shared<const std::string>(std::move(bytes));
   if (!is_first && in_memory) HeldInAll().fetch_sub(size);  // another thread was quicker
   return absl::OkStatus();
-}
-
-bool BlobFolder::HoldAgain(const std::string& digest) {
-  std::lock_guard<std::mutex> lock(mutex_);
-  const auto held = held_.find(digest);
-  if (held != held_.end()) ++held->second.times;
-  return held != held_.end();
 }
 
 void BlobFolder::LetGo(const std::string& digest) {

@@ -59,8 +59,8 @@ class BlobFolder {
   BlobFolder& operator=(const BlobFolder&) = delete;
 
   // The digest of `bytes`, which are stored unless they are there already. With Sync::kYes they are stored in any case:
-  // what is there may not be on the disk.
-  absl::StatusOr<std::string> Put(std::string_view bytes, Sync sync = Sync::kNo);
+  // what is there may not be on the disk. `known`: their digest, where it is known.
+  absl::StatusOr<std::string> Put(std::string_view bytes, Sync sync = Sync::kNo, std::string known = "");
   // As Put, but only until LetGo was called as often. The bytes are in memory, unless all folders of the process would
   // then hold more than kMostHeldBytes there. The first call decides where, until the last has let go.
   absl::StatusOr<std::string> Hold(std::string bytes);
@@ -94,10 +94,6 @@ class BlobFolder {
 
   // Null if it is not in memory.
   std::shared_ptr<const std::string> HeldBytes(const std::string& digest) const;
-  bool HoldAgain(const std::string& digest);
-  absl::Status HoldNew(const std::string& digest, std::string bytes);
-  // Stores bytes that are known to have the digest.
-  absl::Status Store(const std::string& digest, std::string_view bytes, Sync sync);
   void LetGoOfAll();
   absl::StatusOr<std::string> PathOf(const std::string& digest) const;
   // Hard links in another such folder, synced. False if one cannot be made.

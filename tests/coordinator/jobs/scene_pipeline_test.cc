@@ -131,8 +131,8 @@ TEST_F(ScenePipelineTest, HoldsTasksBackWhileManyAreOut) {
   int64_t out = std::ssize(tasks);
   for (size_t done = 0; done < 64; ++done) {
     const NewTask task = tasks[done];
-    auto next =
-        pipeline->OnTaskDone({task.cell, task.stage, SceneStageRunner()(task.stage, WholeInput(task).value(), CancelToken())});
+    auto next = pipeline->OnTaskDone(
+        {task.cell, task.stage, SceneStageRunner()(task.stage, WholeInput(task).value(), CancelToken())});
     ASSERT_TRUE(next.ok()) << next.status();
     out += std::ssize(*next) - 1;
     EXPECT_LE(out, kMostTasksOut);
