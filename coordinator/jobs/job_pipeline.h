@@ -46,12 +46,22 @@ enum class Resumption {
   kRevocation,  // of the results of a worker: what the job has kept for later jobs may be wrong
 };
 
+// What follows the input of a task and is a blob of its own, so that several tasks can have it.
+struct InputPart {
+  std::string digest;  // of its bytes (Sha256Hex)
+  std::function<absl::StatusOr<std::string>()> read;
+};
+
 struct NewTask {
   CellId cell;
   Stage stage = Stage::kSurvey;
-  std::string input;                    // bytes
+  std::string input;                    // bytes; they name the parts (common/rpc/input_parts.h)
   std::vector<std::string> avoid = {};  // workers that get the task only if no other may have it
+  std::vector<InputPart> parts = {};
 };
+
+// The bytes that a worker's stage gets: the input and its parts.
+absl::StatusOr<std::string> WholeInput(const NewTask& task);
 
 struct TaskResult {
   CellId cell;

@@ -57,6 +57,26 @@ std::vector<TaskSpec> SpecsOf(std::vector<NewTask>& tasks) {
   return specs;
 }
 
+using HeldInputs = std::multimap<std::string, std::vector<std::string>>;
+
+// The blobs of an input, whose digest it has, are held until LetGo.
+absl::Status HoldInput(BlobFolder& blobs, const std::string& digest, NewTask& task, HeldInputs& held) {
+  std::vector<std::string> parts;
+  for (const InputPart& part : task.parts) {
+    TILEMEND_RETURN_IF_ERROR(blobs.Hold(part.digest, part.read));
+    parts.push_back(part.digest);
+  }
+  TILEMEND_RETURN_IF_ERROR(blobs.Hold(digest, [&task] { return std::move(task.input); }));
+  held.emplace(digest, std::move(parts));
+  return absl::OkStatus();
+}
+
+void LetGo(BlobFolder& blobs, HeldInputs& held, HeldInputs::iterator input) {
+  blobs.LetGo(input->first);
+  for (const std::string& part : input->second) blobs.LetGo(part);
+  held.erase(input);
+}
+
 }  // namespace
 
 JobRunner::JobRunner(JobSpec spec, PipelineFactory factory, std::shared_ptr<BlobFolder> blobs, Sink sink, Mode mode)
@@ -164,7 +184,8 @@ absl::StatusOr<bool> JobRunner::PrepareToBeginAgain(std::unique_ptr<JobPipeline>
   }
   pipeline.reset();
   TILEMEND_RETURN_IF_ERROR(sink_.begins_again());
-  for (const std::string& input : std::exchange(outstanding_, {}).held_inputs) blobs_->LetGo(input);
+  while (!outstanding_.held.empty()) LetGo(*blobs_, outstanding_.held, outstanding_.held.begin());
+  outstanding_.tasks = 0;
   resumes_ = Resumption::kRevocation;
   std::lock_guard<std::mutex> lock(mutex_);
   // No task is out, so that no more come.
@@ -238,8 +259,7 @@ absl::Status JobRunner::TakeDelivery(JobPipeline& pipeline, Delivery delivery) {
   if (delivery.content.has_value()) queued_bytes_ -= delivery.content->size();
   --outstanding_.tasks;
   if (!delivery.task.known) {
-    outstanding_.held_inputs.erase(outstanding_.held_inputs.find(delivery.task.input));
-    blobs_->LetGo(delivery.task.input);
+    LetGo(*blobs_, outstanding_.held, outstanding_.held.find(delivery.task.input));
   }
   TILEMEND_ASSIGN_OR_RETURN(TaskResult result, ToResult(delivery.task, std::move(delivery.content), *blobs_));
   TILEMEND_ASSIGN_OR_RETURN(std::vector<NewTask> tasks, pipeline.OnTaskDone(std::move(result)));
@@ -256,8 +276,7 @@ absl::Status JobRunner::AddTasks(JobPipeline& pipeline, std::vector<NewTask> tas
   TILEMEND_ASSIGN_OR_RETURN(TaskContents contents, sink_.recall(specs));
   for (size_t i = 0; i < tasks.size(); ++i) {
     if (specs[i].known) continue;  // nobody reads its input
-    TILEMEND_RETURN_IF_ERROR(blobs_->Hold(std::move(tasks[i].input)).status());
-    outstanding_.held_inputs.insert(specs[i].input);
+    TILEMEND_RETURN_IF_ERROR(HoldInput(*blobs_, specs[i].input, tasks[i], outstanding_.held));
   }
   outstanding_.tasks += static_cast<int64_t>(specs.size());
   return sink_.add_tasks(std::move(specs), std::move(contents), pipeline.GetProgress());

@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -99,7 +99,7 @@ class JobRunner {
   // Tasks that are given out and not yet taken back, and inputs of those of them that were not settled before.
   struct Outstanding {
     int64_t tasks = 0;
-    std::multiset<std::string> held_inputs;
+    std::multimap<std::string, std::vector<std::string>> held;  // and their parts
   };
 
   bool TryCancel();  // with the lock held

@@ -35,7 +35,8 @@ absl::Status ResultRecomputation::AddTask(const NewTask& task) {
   if (share_.is_none() || task.stage == Stage::kAssemble) return absl::OkStatus();
   if (!share_.Has(FileDigest(task.input))) return absl::OkStatus();
   Computed computed{task.cell, task.stage, {}, {}, {}};
-  TILEMEND_ASSIGN_OR_RETURN(computed.input, scratch_->Put(task.input));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string whole, WholeInput(task));
+  TILEMEND_ASSIGN_OR_RETURN(computed.input, scratch_->Put(whole));
   chosen_[Sha256Hex(task.input)] = std::move(computed);
   return absl::OkStatus();
 }

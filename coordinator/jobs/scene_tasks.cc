@@ -14,6 +14,7 @@
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/smoothed_payloads.h"
 #include "common/rpc/stage_payloads.h"
+#include "common/store/digest.h"
 #include "common/store/fingerprint.h"
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
@@ -39,6 +40,15 @@ absl::StatusOr<Message> TakeUp(const ScratchFile& scratch, const ScratchFile::Pl
 
 absl::StatusOr<ScratchFile::Place> PutAside(ScratchFile& scratch, const google::protobuf::MessageLite& message) {
   return scratch.Put(message.SerializeAsString());
+}
+
+// Of the inputs of ground tasks, put aside once.
+absl::StatusOr<InputPart> PartOf(v1::GroundRasterBlob raster, const std::shared_ptr<ScratchFile>& scratch) {
+  v1::GroundInput part;
+  *part.add_rasters() = std::move(raster);
+  const std::string bytes = part.SerializeAsString();
+  TILEMEND_ASSIGN_OR_RETURN(const ScratchFile::Place place, scratch->Put(bytes));
+  return InputPart{Sha256Hex(bytes), [scratch, place] { return scratch->Get(place); }};
 }
 
 constexpr size_t kMostStampBytes = 128;
@@ -191,10 +201,9 @@ absl::StatusOr<NewTask> SceneTasks::Encode(const GroundWork& work) const {
   for (const BoundaryVertex& v : record->vertices) {
     for (int k = 0; k < 3; ++k) input.add_position(v.position[k]);
   }
-  for (const CellId cell : work.around) {
-    TILEMEND_ASSIGN_OR_RETURN(*input.add_rasters(), TakeUp<v1::GroundRasterBlob>(*scratch_, lowest_.at(cell)));
-  }
-  return NewTask{work.cell, Stage::kGround, input.SerializeAsString()};
+  std::vector<InputPart> parts;
+  for (const CellId cell : work.around) input.add_parts(parts.emplace_back(lowest_.at(cell)).digest);
+  return NewTask{work.cell, Stage::kGround, input.SerializeAsString(), {}, std::move(parts)};
 }
 
 absl::StatusOr<NewTask> SceneTasks::Encode(ClusterWork& work) {
@@ -344,7 +353,7 @@ absl::Status SceneTasks::TakeOutput(CellId cell, v1::SurveyOutput output) {
   surveyed.set_digest(std::move(tile->digest));
   if (tile->stamp.size() <= kMostStampBytes) surveyed.set_stamp(std::move(tile->stamp));
   TILEMEND_ASSIGN_OR_RETURN(surveyed_[cell], PutAside(*scratch_, surveyed));
-  TILEMEND_ASSIGN_OR_RETURN(lowest_[cell], PutAside(*scratch_, tile->lowest));
+  TILEMEND_ASSIGN_OR_RETURN(lowest_[cell], PartOf(std::move(tile->lowest), scratch_));
   for (const FileWitness::Read& read : tile->reads) {
     if (read.digest.empty()) continue;
     const std::string& known = file_digests_.try_emplace(read.path, read.digest).first->second;

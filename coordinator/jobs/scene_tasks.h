@@ -85,7 +85,7 @@ class SceneTasks {
   SceneFiles files_;
   std::vector<LevelCounts> levels_;
   std::map<CellId, ScratchFile::Place> surveyed_;    // digest and stamp of each tile
-  std::map<CellId, ScratchFile::Place> lowest_;      // the ground raster of each tile, until the plan
+  std::map<CellId, InputPart> lowest_;               // the ground raster of each tile, until the plan
   std::map<std::string, std::string> file_digests_;  // by path: what was read for surveys, beside the tiles
   std::map<CellId, int32_t> clusters_of_;            // how many were given out, by the first cell of each
   std::map<CellId, std::string> measured_;           // digest of each tile that is measured, until its survey

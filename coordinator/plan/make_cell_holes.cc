@@ -15,9 +15,25 @@ namespace tilemend {
 namespace {
 
 constexpr double kBandStep = 0x1p-10;  // metres: bands are coded so
+// By which a point of a band, rounded to that or to a place in 2^28 of their extent, may be off what it stands for.
+constexpr double kBandSlack = 4 * kBandStep, kBandSlackShare = 0x1p-26;
 
 bool HasSeam(const std::vector<RimSegment>& segments) {
   return std::any_of(segments.begin(), segments.end(), [](const RimSegment& s) { return s.seam; });
+}
+
+// Where the other tiles have triangles.
+std::vector<Eigen::AlignedBox3d> PlacesOfOthers(const PlanInput& input, CellId tile, const std::set<CellId>& around) {
+  std::vector<Eigen::AlignedBox3d> places;
+  for (const CellId cell : around) {
+    const auto other = input.cells.find(cell);
+    if (cell == tile || other == input.cells.end()) continue;
+    const StoredRecord& record = other->second;
+    if (record == nullptr || record->vertex_count == 0) continue;
+    const Point3 slack = Point3::Constant(kBandSlack) + kBandSlackShare * (record->hi - record->lo);
+    places.emplace_back(record->lo - slack, record->hi + slack);
+  }
+  return places;
 }
 
 class CellHolesBuilder {
@@ -45,7 +61,8 @@ class CellHolesBuilder {
     }
     if (with_band) {
       for (const RimVertex& v : result_.vertices) result_.band.points.push_back(v.position);
-      for (const CellId tile : CellsAround(holes)) AddBand(tile);
+      const std::set<CellId> around = CellsAround(holes);
+      for (const CellId tile : around) AddBand(tile, PlacesOfOthers(input_, tile, around));
     }
     return std::move(result_);
   }
@@ -196,7 +213,7 @@ class CellHolesBuilder {
     v.laplacian = it->second;
   }
 
-  void AddBand(CellId tile) {
+  void AddBand(CellId tile, const std::vector<Eigen::AlignedBox3d>& others) {
     const StoredRecord stored = RecordOf(tile);
     if (stored == nullptr) return;
     const std::span<const int32_t> of = plan_.VerticesOf(tile);
@@ -211,7 +228,10 @@ class CellHolesBuilder {
     for (const Triangle& t : record->band.triangles) {
       const int32_t rim[3] = {rim_vertex(t[0]), rim_vertex(t[1]), rim_vertex(t[2])};
       if (plan_.upright && rim[0] < 0 && rim[1] < 0 && rim[2] < 0) continue;
-      if (!IsFirst(tile, record->band, t)) continue;
+      const auto may_have = [&](const Eigen::AlignedBox3d& other) {
+        return std::ranges::all_of(t, [&](int32_t v) { return other.contains(record->band.points[v]); });
+      };
+      if (std::ranges::any_of(others, may_have) && !IsFirst(tile, record->band, t)) continue;
       Triangle out;
       for (int k = 0; k < 3; ++k) {
         out[k] = rim[k];

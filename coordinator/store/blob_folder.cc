@@ -50,13 +50,17 @@ BlobFolder::Writer::~Writer() {
 }
 
 absl::Status BlobFolder::Writer::Append(std::string_view bytes) {
+  sha_.Update(bytes);
+  return Write(bytes);
+}
+
+absl::Status BlobFolder::Writer::Write(std::string_view bytes) {
   size_ += static_cast<int64_t>(bytes.size());
   if (size_ > kMaxBlobBytes) {
     return WithErrorInfo(
         absl::ResourceExhaustedError(absl::StrCat("a blob may have ", kMaxBlobBytes, " bytes at most")),
         {"BLOB_TOO_LARGE", {{"limit", absl::StrCat(kMaxBlobBytes)}}});
   }
-  sha_.Update(bytes);
   while (!bytes.empty()) {
     const ssize_t n = ::write(fd_, bytes.data(), bytes.size());
     if (n < 0 && errno == EINTR) continue;
@@ -73,6 +77,11 @@ absl::StatusOr<int64_t> BlobFolder::Writer::Commit(const std::string& expected) 
         absl::InvalidArgumentError(absl::StrCat("blob ", expected, ": its ", size_, " bytes have the digest ", digest)),
         {"BLOB_CORRUPT", {{"digest", expected}}});
   }
+  TILEMEND_RETURN_IF_ERROR(MoveTo(digest));
+  return size_;
+}
+
+absl::Status BlobFolder::Writer::MoveTo(const std::string& digest) {
   if (sync_ == Sync::kYes) {
     if (FailPoint("blob.sync")) return ErrnoStatus(EIO, "cannot sync (injected)", path_);
     if (::fsync(fd_) != 0) return ErrnoStatus(errno, "cannot sync", path_);
@@ -81,7 +90,7 @@ absl::StatusOr<int64_t> BlobFolder::Writer::Commit(const std::string& expected) 
   if (closed != 0) return ErrnoStatus(errno, "cannot close", path_);
   TILEMEND_RETURN_IF_ERROR(folder_.MoveIntoPlace(path_, digest, sync_));
   path_.clear();
-  return size_;
+  return absl::OkStatus();
 }
 
 absl::StatusOr<std::shared_ptr<BlobFolder>> BlobFolder::Create(const std::string& path) {
@@ -91,34 +100,39 @@ absl::StatusOr<std::shared_ptr<BlobFolder>> BlobFolder::Create(const std::string
   return std::make_shared<BlobFolder>(path);
 }
 
-absl::StatusOr<std::string> BlobFolder::Put(std::string_view bytes, Sync sync) {
-  const std::string digest = Sha256Hex(bytes);
+absl::StatusOr<std::string> BlobFolder::Put(std::string_view bytes, Sync sync, std::string known) {
+  std::string digest = known.empty() ? Sha256Hex(bytes) : std::move(known);
   if (sync == Sync::kNo && Size(digest).ok()) return digest;
   TILEMEND_ASSIGN_OR_RETURN(const std::unique_ptr<Writer> writer, NewWriter(sync));
-  TILEMEND_RETURN_IF_ERROR(writer->Append(bytes));
-  TILEMEND_ASSIGN_OR_RETURN([[maybe_unused]] const int64_t size, writer->Commit(digest));
+  TILEMEND_RETURN_IF_ERROR(writer->Write(bytes));
+  TILEMEND_RETURN_IF_ERROR(writer->MoveTo(digest));
   return digest;
 }
 
 absl::StatusOr<std::string> BlobFolder::Hold(std::string bytes) {
   std::string digest = Sha256Hex(bytes);
-  if (HoldAgain(digest)) return digest;
+  TILEMEND_RETURN_IF_ERROR(Hold(digest, [&bytes] { return std::move(bytes); }));
+  return digest;
+}
+
+absl::Status BlobFolder::Hold(const std::string& digest, const std::function<absl::StatusOr<std::string>()>& read) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (const auto held = held_.find(digest); held != held_.end()) {
+      ++held->second.times;
+      return absl::OkStatus();
+    }
+  }
+  TILEMEND_ASSIGN_OR_RETURN(std::string bytes, read());
   const size_t size = bytes.size();
   const bool in_memory = TakeMemory(size);
-  if (!in_memory) TILEMEND_RETURN_IF_ERROR(Put(bytes).status());
+  if (!in_memory) TILEMEND_RETURN_IF_ERROR(Put(bytes, Sync::kNo, digest).status());
   std::lock_guard<std::mutex> lock(mutex_);
   HeldBlob& blob = held_[digest];
   const bool is_first = blob.times++ == 0;
   if (is_first && in_memory) blob.bytes = std::make_shared<const std::string>(std::move(bytes));
   if (!is_first && in_memory) HeldInAll().fetch_sub(size);  // another thread was quicker
-  return digest;
-}
-
-bool BlobFolder::HoldAgain(const std::string& digest) {
-  std::lock_guard<std::mutex> lock(mutex_);
-  const auto held = held_.find(digest);
-  if (held != held_.end()) ++held->second.times;
-  return held != held_.end();
+  return absl::OkStatus();
 }
 
 void BlobFolder::LetGo(const std::string& digest) {

@@ -41,6 +41,8 @@ class BlobFolder {
     friend class BlobFolder;
     Writer(BlobFolder& folder, Sync sync, std::string path, int fd)
         : folder_(folder), sync_(sync), path_(std::move(path)), fd_(fd) {}
+    absl::Status Write(std::string_view bytes);
+    absl::Status MoveTo(const std::string& digest);
     BlobFolder& folder_;
     const Sync sync_;
     std::string path_;
@@ -57,11 +59,13 @@ class BlobFolder {
   BlobFolder& operator=(const BlobFolder&) = delete;
 
   // The digest of `bytes`, which are stored unless they are there already. With Sync::kYes they are stored in any case:
-  // what is there may not be on the disk.
-  absl::StatusOr<std::string> Put(std::string_view bytes, Sync sync = Sync::kNo);
+  // what is there may not be on the disk. `known`: their digest, where it is known.
+  absl::StatusOr<std::string> Put(std::string_view bytes, Sync sync = Sync::kNo, std::string known = "");
   // As Put, but only until LetGo was called as often. The bytes are in memory, unless all folders of the process would
   // then hold more than kMostHeldBytes there. The first call decides where, until the last has let go.
   absl::StatusOr<std::string> Hold(std::string bytes);
+  // Likewise; `read` gives the bytes that have the digest, and is called only if they are not there.
+  absl::Status Hold(const std::string& digest, const std::function<absl::StatusOr<std::string>()>& read);
   void LetGo(const std::string& digest);
   absl::StatusOr<std::unique_ptr<Writer>> NewWriter(Sync sync = Sync::kNo);
 
@@ -90,7 +94,6 @@ class BlobFolder {
 
   // Null if it is not in memory.
   std::shared_ptr<const std::string> HeldBytes(const std::string& digest) const;
-  bool HoldAgain(const std::string& digest);
   void LetGoOfAll();
   absl::StatusOr<std::string> PathOf(const std::string& digest) const;
   // Hard links in another such folder, synced. False if one cannot be made.

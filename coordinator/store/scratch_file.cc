@@ -42,13 +42,23 @@ std::string_view BytesOf(const std::vector<T>& column) {
 // A record whose columns lie in the file one after the other.
 class ScratchFile::StoredColumns : public StoredRecord::Source {
  public:
-  StoredColumns(std::shared_ptr<const ScratchFile> file, const SurveySummary& summary, int64_t at,
+  StoredColumns(std::shared_ptr<ScratchFile> file, const SurveySummary& summary, int64_t at,
                 const std::array<int32_t, kColumns>& sizes)
       : file_(std::move(file)), summary_(summary), at_(at), sizes_(sizes) {}
 
   const SurveySummary& summary() const override { return summary_; }
 
   StoredRecord::Pointer Read(bool with_band) const override {
+    Records& recent = with_band ? file_->whole_ : file_->outlines_;
+    if (auto known = recent.Find(at_)) return known;
+    auto record = ReadColumns(with_band);
+    const auto bytes_of = [](const auto&... columns) { return (BytesOf(columns).size() + ...); };
+    recent.Put(at_, record, std::apply(bytes_of, ColumnsOf(*record)));
+    return record;
+  }
+
+ private:
+  StoredRecord::Pointer ReadColumns(bool with_band) const {
     const auto record = std::make_shared<SurveyRecord>();
     static_cast<SurveySummary&>(*record) = summary_;
     int64_t at = at_;
@@ -65,8 +75,7 @@ class ScratchFile::StoredColumns : public StoredRecord::Source {
     return record;
   }
 
- private:
-  const std::shared_ptr<const ScratchFile> file_;
+  const std::shared_ptr<ScratchFile> file_;
   const SurveySummary summary_;
   const int64_t at_;
   const std::array<int32_t, kColumns> sizes_;  // entries

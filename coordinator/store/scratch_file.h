@@ -14,6 +14,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/records/stored_record.h"
+#include "common/util/recently_used.h"
 
 namespace tilemend {
 
@@ -42,14 +43,19 @@ class ScratchFile : public std::enable_shared_from_this<ScratchFile> {
 
  private:
   class StoredColumns;
+  // Bytes. A plan asks for each record about ten times, mostly for those of neighbours one after the other.
+  static constexpr size_t kRecent = size_t{12} << 20;
 
-  ScratchFile(int fd, std::string folder) : fd_(fd), folder_(std::move(folder)) {}
+  using Records = RecentlyUsed<int64_t, SurveyRecord>;  // by their place in the file
+
+  ScratchFile(int fd, std::string folder) : fd_(fd), folder_(std::move(folder)), outlines_(kRecent), whole_(kRecent) {}
   absl::Status WriteAt(int64_t at, std::string_view bytes) const;
   absl::Status ReadInto(int64_t at, void* data, size_t size) const;
 
   const int fd_;
   const std::string folder_;
   std::atomic<int64_t> end_{0};
+  Records outlines_, whole_;  // that were read last
 };
 
 }  // namespace tilemend

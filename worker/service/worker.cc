@@ -14,6 +14,7 @@
 #include "absl/random/random.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "common/rpc/input_parts.h"
 #include "common/rpc/limits.h"
 #include "common/rpc/status_proto.h"
 #include "common/store/digest.h"
@@ -24,6 +25,9 @@
 
 namespace tilemend {
 namespace {
+
+// Ground rasters of three rows of 80 cells of 250 m.
+constexpr size_t kMostPartBytes = size_t{32} << 20;
 
 constexpr char kNotYet[] = "has not reached its coordinator yet";
 
@@ -46,6 +50,7 @@ Worker::Worker(const WorkerOptions& options, std::unique_ptr<WorkLink> link, Sta
       secret_(NewSecret()),
       link_(std::move(link)),
       runner_(std::move(runner)),
+      parts_(kMostPartBytes),
       metrics_(metrics),
       cores_(options.threads),
       unconnected_(kNotYet) {
@@ -342,9 +347,28 @@ void Worker::LogFailure(const v1::Task& task, const v1::Status& error) const {
 
 absl::StatusOr<std::string> Worker::InputOf(const Held& held) {
   const v1::Task& task = held.task;
-  const std::string& content = task.input().content();
-  if (task.input().size() == static_cast<int64_t>(content.size())) return content;
-  auto read = link_->ReadBlob(task.ref().job(), task.input().digest());
+  const std::string& job = task.ref().job();
+  std::string input = task.input().content();
+  if (task.input().size() != static_cast<int64_t>(input.size())) {
+    TILEMEND_ASSIGN_OR_RETURN(input, Fetch(job, task.input().digest()));
+  }
+  for (const std::string& part : PartsOf(static_cast<Stage>(task.stage()), input)) {
+    TILEMEND_ASSIGN_OR_RETURN(const auto bytes, Part(job, part));
+    input += *bytes;
+  }
+  return input;
+}
+
+absl::StatusOr<std::shared_ptr<const std::string>> Worker::Part(const std::string& job, const std::string& digest) {
+  if (auto known = parts_.Find(digest)) return known;
+  TILEMEND_ASSIGN_OR_RETURN(std::string bytes, Fetch(job, digest));
+  auto part = std::make_shared<const std::string>(std::move(bytes));
+  parts_.Put(digest, part, part->size());
+  return part;
+}
+
+absl::StatusOr<std::string> Worker::Fetch(const std::string& job, const std::string& digest) {
+  auto read = link_->ReadBlob(job, digest);
   // What the coordinator has lost is no fault of the task.
   if (absl::IsNotFound(read.status())) return absl::UnavailableError(read.status().message());
   return read;

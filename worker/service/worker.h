@@ -26,6 +26,7 @@
 #include "common/util/cancel_token.h"
 #include "common/util/cores.h"
 #include "common/util/log.h"
+#include "common/util/recently_used.h"
 #include "tilemend/v1/work.pb.h"
 #include "worker/service/attempt_files.h"
 #include "worker/service/look_at_folders.h"
@@ -104,7 +105,10 @@ class Worker {
   // To be told to the coordinator. False if it was dropped: nobody wants it.
   bool TakeReport(const Held& held, const v1::FinishedTask& report);
   void Look(const v1::JobFolders& folders);
+  // With its parts.
   absl::StatusOr<std::string> InputOf(const Held& held);
+  absl::StatusOr<std::shared_ptr<const std::string>> Part(const std::string& job, const std::string& digest);
+  absl::StatusOr<std::string> Fetch(const std::string& job, const std::string& digest);
   std::optional<absl::StatusOr<std::string>> Compute(Held& held, const std::string& input);
   absl::StatusOr<std::string> RunStage(Stage stage, const std::string& input, const CancelToken& cancel);
   void LogFailure(const v1::Task& task, const v1::Status& error) const;
@@ -114,6 +118,7 @@ class Worker {
   const std::string secret_;
   const std::unique_ptr<WorkLink> link_;
   const StageRunner runner_;
+  RecentlyUsed<std::string, std::string> parts_;  // of inputs, by digest
   WorkerMetrics metrics_;
   Cores cores_;
 

@@ -44,7 +44,7 @@ class AssembleCheckTest : public ::testing::Test {
     while (!open.empty()) {
       const NewTask task = open.front();
       open.pop_front();
-      auto output = SceneStageRunner()(task.stage, task.input, CancelToken());
+      auto output = SceneStageRunner()(task.stage, WholeInput(task).value(), CancelToken());
       ASSERT_TRUE(output.ok()) << output.status();
       if (task.stage == Stage::kAssemble) See1(task.input, *output, see);
       tasks = (*pipeline)->OnTaskDone({task.cell, task.stage, *std::move(output)});

@@ -32,8 +32,8 @@ class DryRunTest : public ::testing::Test {
     std::deque<NewTask> open(first->begin(), first->end());
     for (; !open.empty(); open.pop_front()) {
       const NewTask& task = open.front();
-      auto next =
-          (*pipeline)->OnTaskDone({task.cell, task.stage, SceneStageRunner()(task.stage, task.input, CancelToken())});
+      auto next = (*pipeline)->OnTaskDone(
+          {task.cell, task.stage, SceneStageRunner()(task.stage, WholeInput(task).value(), CancelToken())});
       if (!next.ok()) return next.status();
       for (NewTask& t : *next) open.push_back(std::move(t));
     }

@@ -38,7 +38,7 @@ class FilesBesideCheckTest : public testing::Test {
     while (!open.empty()) {
       const NewTask task = open.front();
       open.pop_front();
-      auto output = SceneStageRunner()(task.stage, task.input, CancelToken());
+      auto output = SceneStageRunner()(task.stage, WholeInput(task).value(), CancelToken());
       ASSERT_TRUE(output.ok()) << output.status();
       v1::AssembleInput input;
       v1::AssembleOutput result;

@@ -59,8 +59,8 @@ class OutputVerificationTest : public ::testing::Test {
   // As "verifier" does the task.
   static TaskResult Run(
       const NewTask& task, const Change& change = [](v1::VerifyOutput&) {}) {
-    TaskResult result{task.cell, task.stage, SceneStageRunner()(task.stage, task.input, CancelToken()), "verifier",
-                      Sha256Hex(task.input)};
+    TaskResult result{task.cell, task.stage, SceneStageRunner()(task.stage, WholeInput(task).value(), CancelToken()),
+                      "verifier", Sha256Hex(task.input)};
     v1::VerifyOutput output;
     if (!result.output.ok() || !output.ParseFromString(*result.output)) return result;
     change(output);

@@ -46,7 +46,7 @@ class ResultChecksTest : public testing::Test {
     while (!open.empty()) {
       const NewTask task = open.front();
       open.pop_front();
-      auto output = SceneStageRunner()(task.stage, task.input, CancelToken());
+      auto output = SceneStageRunner()(task.stage, WholeInput(task).value(), CancelToken());
       ASSERT_TRUE(output.ok()) << output.status();
       see({task.stage, task.input, *output});
       tasks = (*pipeline)->OnTaskDone({task.cell, task.stage, *std::move(output)});

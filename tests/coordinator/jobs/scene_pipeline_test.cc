@@ -67,7 +67,7 @@ class ScenePipelineTest : public ::testing::Test {
     while (!open.empty()) {
       NewTask task = backwards ? open.back() : open.front();
       backwards ? open.pop_back() : open.pop_front();
-      TaskResult result{task.cell, task.stage, SceneStageRunner()(task.stage, task.input, CancelToken())};
+      TaskResult result{task.cell, task.stage, SceneStageRunner()(task.stage, WholeInput(task).value(), CancelToken())};
       result.input = Sha256Hex(task.input);
       if (change) change(result);
       auto next = pipeline.OnTaskDone(std::move(result));
@@ -131,8 +131,8 @@ TEST_F(ScenePipelineTest, HoldsTasksBackWhileManyAreOut) {
   int64_t out = std::ssize(tasks);
   for (size_t done = 0; done < 64; ++done) {
     const NewTask task = tasks[done];
-    auto next =
-        pipeline->OnTaskDone({task.cell, task.stage, SceneStageRunner()(task.stage, task.input, CancelToken())});
+    auto next = pipeline->OnTaskDone(
+        {task.cell, task.stage, SceneStageRunner()(task.stage, WholeInput(task).value(), CancelToken())});
     ASSERT_TRUE(next.ok()) << next.status();
     out += std::ssize(*next) - 1;
     EXPECT_LE(out, kMostTasksOut);

@@ -32,7 +32,8 @@ std::map<Stage, std::vector<std::string>> InputsOf(const std::string& folder) {
     const NewTask task = open.back();
     open.pop_back();
     const absl::Status taken = tasks.Take(
-        DecodeResult({task.cell, task.stage, SceneStageRunner()(task.stage, task.input, CancelToken())}).value());
+        DecodeResult({task.cell, task.stage, SceneStageRunner()(task.stage, WholeInput(task).value(), CancelToken())})
+            .value());
     EXPECT_TRUE(taken.ok()) << taken;
   } while (!open.empty() || !waves.done());
   return inputs;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/rpc/limits.h"
+#include "common/store/digest.h"
 #include "common/util/error_info.h"
 #include "common/util/files.h"
 #include "tests/support/test_cluster.h"
@@ -67,6 +68,23 @@ TEST_F(BlobFolderTest, HoldsBlobsInMemoryUntilEachHolderLetsGo) {
   blobs_->LetGo(digest);
   blobs_->LetGo(digest);
   EXPECT_EQ(ErrorReason(blobs_->Read(digest).status()), "BLOB_NOT_FOUND");
+}
+
+TEST_F(BlobFolderTest, ReadsWhatItIsToHoldOnlyIfItIsNotThere) {
+  const std::string bytes = "a part", digest = Sha256Hex(bytes);
+  int reads = 0;
+  const auto read = [&]() -> absl::StatusOr<std::string> {
+    ++reads;
+    return bytes;
+  };
+  EXPECT_TRUE(blobs_->Hold(digest, read).ok());
+  EXPECT_TRUE(blobs_->Hold(digest, read).ok());
+  EXPECT_EQ(reads, 1);
+  EXPECT_EQ(blobs_->Read(digest).value(), bytes);
+  blobs_->LetGo(digest);
+  EXPECT_TRUE(blobs_->Size(digest).ok());
+  blobs_->LetGo(digest);
+  EXPECT_TRUE(absl::IsNotFound(blobs_->Size(digest).status()));
 }
 
 TEST_F(BlobFolderTest, HoldsNoMoreInMemoryThanAllFoldersMay) {

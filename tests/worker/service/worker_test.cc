@@ -18,6 +18,7 @@
 #include "common/store/digest.h"
 #include "common/util/error_info.h"
 #include "tests/worker/service/fake_link.h"
+#include "tilemend/v1/stages.pb.h"
 
 namespace tilemend {
 namespace {
@@ -108,6 +109,22 @@ class WorkerTest : public testing::Test {
   absl::Duration patience_ = absl::InfiniteDuration();
   std::atomic<int> ends_ = 0;
 };
+
+TEST_F(WorkerTest, AppendsThePartsThatAnInputNames) {
+  v1::GroundInput head, part;
+  head.add_position(1);
+  head.add_parts("raster");
+  part.add_rasters()->set_square(2);
+  coordinator_.PutBlob("raster", part.SerializeAsString());
+  v1::Task task = TaskOf(1, head.SerializeAsString());
+  task.set_stage(static_cast<v1::Stage>(Stage::kGround));
+  const auto give_back = [](Stage, const std::string& input, const CancelToken&) { return input; };
+  v1::GroundInput whole;
+  ASSERT_TRUE(whole.ParseFromString(Run(give_back, task).output().content()));
+  EXPECT_EQ(whole.position_size(), 1);
+  ASSERT_EQ(whole.rasters_size(), 1);
+  EXPECT_EQ(whole.rasters(0).square(), 2);
+}
 
 TEST_F(WorkerTest, EndsWithTheErrorWhereItsCoordinatorIsOutOfReachForTooLong) {
   patience_ = absl::Milliseconds(3);
