@@ -230,7 +230,8 @@ class ScenePipeline : public JobPipeline {
 
   Progress GetProgress() const override {
     Progress progress;
-    progress.phase = waves_.done() && verification_.has_begun() ? kVerifyPhase : waves_.phase();
+    // Also if all of it is known from an earlier run: nobody is to see the job go back.
+    progress.phase = waves_.done() && verification_.is_wanted() ? kVerifyPhase : waves_.phase();
     progress.cells = static_cast<int64_t>(waves_.scene().tiles.size());
     progress.cells_done = waves_.cells_done();
     progress.holes = static_cast<int64_t>(waves_.plan().holes.size());

@@ -28,6 +28,7 @@ uint64_t KeyIn(JobNotes& notes) {
 
 SceneVerification::SceneVerification(VerifiedShares shares, std::string output, std::shared_ptr<ScratchFile> scratch)
     : output_(std::move(output)),
+      is_wanted_(!output_.empty() && shares.files + shares.results > 0),
       files_(output_.empty() ? 0 : shares.files),
       results_(output_.empty() ? 0 : shares.results, std::move(scratch)) {}
 
@@ -63,7 +64,6 @@ void SceneVerification::AddReport(Report report, const std::string& scene) {
 absl::StatusOr<std::optional<NewTask>> SceneVerification::Next(bool all) {
   TILEMEND_ASSIGN_OR_RETURN(std::optional<NewTask> task, results_.Next());
   if (!task) task = files_.Next(all);
-  has_begun_ = has_begun_ || task.has_value();
   return task;
 }
 

@@ -58,15 +58,15 @@ class SceneVerification {
 
   // By the last result.
   const std::optional<CaughtWorker>& caught() const { return caught_; }
-  bool has_begun() const { return has_begun_; }  // Next gave a task
+  bool is_wanted() const { return is_wanted_; }  // some share is verified
   bool is_over() const { return files_.is_over() && results_.is_over(); }
 
  private:
   const std::string output_;
+  const bool is_wanted_;
   OutputVerification files_;
   ResultRecomputation results_;
   std::optional<CaughtWorker> caught_;
-  bool has_begun_ = false;
 };
 
 }  // namespace tilemend
