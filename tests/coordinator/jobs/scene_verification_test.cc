@@ -44,16 +44,15 @@ TEST_F(SceneVerificationTest, WithoutAnOutputNothingIsVerified) {
   AddSurvey(verification, FileDigest("tile"));
   EXPECT_TRUE(verification.is_over());
   EXPECT_FALSE(verification.Next(true).value().has_value());
-  EXPECT_FALSE(verification.has_begun());
+  EXPECT_FALSE(verification.is_wanted());
 }
 
 TEST_F(SceneVerificationTest, ResultsAreComputedAgainAndTilesAreRead) {
   SceneVerification verification = Make(folder_.path());
   AddSurvey(verification, FileDigest("other"));
-  EXPECT_FALSE(verification.has_begun());
+  EXPECT_TRUE(verification.is_wanted());
   const NewTask again = verification.Next(false).value().value(), read = verification.Next(true).value().value();
   EXPECT_FALSE(verification.Next(true).value().has_value());
-  EXPECT_TRUE(verification.has_begun());
   v1::VerifyInput input;
   ASSERT_TRUE(input.ParseFromString(again.input));
   EXPECT_EQ(input.tasks_size(), 1);
