@@ -46,8 +46,8 @@ class ObjectStore {
 
 bool IsObjectPath(std::string_view path);
 
-// Whether `status`, not OK, is that of a store which cannot say what is at `path`: neither that it is missing, nor a
-// fault of its content.
+// Whether `status` says that the store of `path` cannot be reached, or refuses. Then nobody knows what is there. False
+// for files, and if the object is missing or its content is wrong.
 bool IsStoreError(std::string_view path, const absl::Status& status);
 
 // From now on paths of objects lead there. For the start of main, once.

@@ -42,7 +42,10 @@ class JournalNotes : public JobNotes {
   void Put(const std::string& name, const std::string& worker, const std::string& text) override {
     ResultRecord note;
     note.worker = worker;
-    if (!text.empty()) note.output = Sha256Hex(text), note.content = text;
+    if (!text.empty()) {
+      note.output = Sha256Hex(text);
+      note.content = text;
+    }
     journal_->PutResult(job_, TaskOf(name), std::move(note));
   }
   void Await() override { journal_->Await(); }

@@ -14,7 +14,6 @@
 #include "worker/fill/hole/projection_frame.h"
 #include "worker/fill/plane/folded_fill.h"
 #include "worker/fill/plane/plane_fill.h"
-#include "worker/fill/plane/upright_loops.h"
 #include "worker/fill/space/mend_crossings.h"
 #include "worker/fill/space/patch_creases.h"
 #include "worker/fill/space/patch_soundness.h"
@@ -70,7 +69,6 @@ class HoleFiller {
   HoleFiller(const CellHoles& cell, const CellHole& hole, const CellBand& band, const FillOptions& options,
              const SurfaceNear& near, std::span<const HolePatch> earlier)
       : options_(options),
-        cell_hole_(hole),
         hole_(MakeLocalHole(cell, band, hole)),
         crossings_(hole_, ReachOf(cell, hole), near, earlier) {}
 
@@ -205,13 +203,10 @@ class HoleFiller {
 
   void AddPlanes(bool cut_folds, std::vector<Way>& ways) {
     const auto add = [&](FillWay name, Check check, const ProjectionFrame& frame) {
-      const auto fill = [this, frame, cut_folds](const LocalHole& hole) {
-        return cut_folds ? FillFolded(hole, frame, options_, crossings_) : FillOverPlane(hole, frame, options_, {});
-      };
-      const FillWay way = cut_folds ? FillWay::kFoldsCut : name;
-      if (hole_.own_outline && frame.upright())
-        ways.push_back({way, check, [=, this] { return FillBesideFacade(fill); }});
-      ways.push_back({way, check, [=, this] { return fill(hole_); }});
+      ways.push_back({cut_folds ? FillWay::kFoldsCut : name, check, [this, frame, cut_folds] {
+                        return cut_folds ? FillFolded(hole_, frame, options_, crossings_)
+                                         : FillOverPlane(hole_, frame, options_, {});
+                      }});
     };
     const Check over_ground = cut_folds && !IsHoleInGround() ? Check::kCrossings : Check::kNothing;
     if (FillsOverGround() || hole_.in_ground) {
@@ -223,22 +218,6 @@ class HoleFiller {
       add(FillWay::kGround, over_ground, ProjectionFrame::Upright());
     }
     if (area.norm() > 0) add(FillWay::kOwnPlane, Check::kCrossings, FrameAcross(hole_, area));
-  }
-
-  // Closes holes in facades by themselves, and fills the rest; not applicable if there are none.
-  LocalPatch FillBesideFacade(const std::function<LocalPatch(const LocalHole&)>& fill) {
-    const std::optional<UprightLoops> loops = CloseUprightLoops(cell_hole_, hole_, crossings_);
-    if (!loops) return {FillFailure::kNotApplicable};
-    LocalPatch patch;
-    patch.triangles = loops->triangles;
-    if (loops->rest.hole.segments.empty()) return patch;
-    const LocalPatch whole = fill(hole_), rest = whole.ok() ? fill(loops->rest.hole) : whole;
-    patch.failure = rest.failure;
-    if (!patch.ok()) return patch;
-    patch.hold_out = whole.hold_out;
-    AddPart(loops->rest, rest, hole_, patch);
-    TakeHeights(hole_, whole, patch);
-    return patch;
   }
 
   // The hole, without an equation at folds.
@@ -274,7 +253,6 @@ class HoleFiller {
   }
 
   const FillOptions& options_;
-  const CellHole& cell_hole_;
   const LocalHole hole_;
   CrossingCheck crossings_;
   std::optional<LocalHole> free_hole_;

@@ -21,7 +21,8 @@ struct RimColours {
 };
 
 // The texels at the spots, or the diffuse colour of a material without an image. `vertices`: how many boundary vertices
-// there are. Reads only the images that lie at a spot, and holds one at a time.
+// there are. Reads only the images that lie at a spot, and holds one at a time. Errors of an object store
+// (IsStoreError).
 absl::StatusOr<RimColours> SampleRim(const std::string& root, const TileLook& look, const ObjTextures& textures,
                                      const std::vector<RimSpot>& spots, size_t vertices);
 

@@ -17,11 +17,11 @@ uint32_t HashOfPlace(int64_t x, int64_t y, uint32_t purpose);
 // White noise of mean 0 at a pixel of the lattice, smoothed by 0.8 pixels: its standard deviation is `sigma`.
 float WhiteGrain(int64_t column, int64_t row, double sigma);
 
-// Adds grain to `colours` (one a pixel) where `make` is set: discrete spot noise (Galerne, Gousseau and Morel 2011).
-// Four windows of 2 m, or 16 pixels, of what the sources differ from their colour smoothed over 1 m are
-// put at every pixel with a random sign, and summed. So it has the deviation and the spectrum of the windows, and never
-// repeats. A hash chooses the windows among those that hold sources alone and no marks. White grain of the sources'
-// deviation where there is no such window. Cost: O(pixels of `make` * 1024) + O(pixels).
+// Adds grain to `colours` (one a pixel) where `make` is set: discrete spot noise (Galerne, Gousseau and Morel 2011). It
+// is the sum of four windows of grain, each put at every pixel with a random sign. So it has the deviation and the
+// spectrum of the windows, and never repeats. Grain is what sources differ from their colour smoothed over 1 m. A hash
+// chooses the windows, of 2 m or 16 pixels, among those that hold sources alone and no marks. If there is none, the
+// grain is white, with the sources' deviation. Cost: O(pixels of `make` * 1024) + O(pixels).
 void AddGrain(const OrthoRaster& raster, const PixelMask& sources, const PixelMask& make,
               std::vector<Channels>& colours);
 

@@ -15,6 +15,8 @@ constexpr double kObjectHeight = 0.4;  // above the opening
 constexpr double kKeepAway = 0.5;      // blurred texels beside holes and objects
 constexpr double kLeastRegion = 4;     // square metres
 constexpr double kWaterBand = 0.6;
+constexpr double kBeside = 3;      // metres: the surface that a fill goes on from
+constexpr double kBlurred = 0.25;  // metres: texels at the end of the surface
 
 // The best value within `reach` of each square, along one axis and then the other.
 template <typename Better>
@@ -61,11 +63,11 @@ std::vector<float> Opened(const OrthoRaster& raster, const SquareLattice& square
   return BestWithin(eroded, squares.width, squares.height, reach, [](float a, float b) { return std::max(a, b); });
 }
 
+}  // namespace
+
 int32_t PixelsIn(double metres, const RasterFrame& frame) {
   return std::max(1, static_cast<int32_t>(std::lround(metres / frame.texel)));
 }
-
-}  // namespace
 
 PixelMask Dilated(const PixelMask& mask, const RasterFrame& frame, int32_t radius) {
   PixelMask along(mask.size()), result(mask.size());
@@ -81,30 +83,6 @@ PixelMask Dilated(const PixelMask& mask, const RasterFrame& frame, int32_t radiu
   for (int32_t y = 0; y < frame.height; ++y) pass(mask, along, frame.At(0, y), 1, frame.width);
   for (int32_t x = 0; x < frame.width; ++x) pass(along, result, frame.At(x, 0), width, frame.height);
   return result;
-}
-
-std::vector<float> DistanceInside(const PixelMask& mask, const RasterFrame& frame) {
-  constexpr float kDiagonal = 1.3507F, kFar = 1e9F;
-  std::vector<float> distance(mask.size());
-  for (size_t i = 0; i < mask.size(); ++i) distance[i] = mask[i] != 0 ? kFar : 0;
-  const auto relax = [&](int32_t x, int32_t y, int32_t dx, int32_t dy) {
-    if (!frame.Has(int64_t{x} + dx, int64_t{y} + dy)) return;
-    float& own = distance[frame.At(x, y)];
-    own = std::min(own, distance[frame.At(x + dx, y + dy)] + (dx != 0 && dy != 0 ? kDiagonal : 1));
-  };
-  for (int32_t y = 0; y < frame.height; ++y) {
-    for (int32_t x = 0; x < frame.width; ++x) {
-      relax(x, y, -1, 0);
-      for (int32_t dx = -1; dx <= 1; ++dx) relax(x, y, dx, -1);
-    }
-  }
-  for (int32_t y = frame.height - 1; y >= 0; --y) {
-    for (int32_t x = frame.width - 1; x >= 0; --x) {
-      relax(x, y, 1, 0);
-      for (int32_t dx = -1; dx <= 1; ++dx) relax(x, y, dx, 1);
-    }
-  }
-  return distance;
 }
 
 void DropSmallRegions(const RasterFrame& frame, int64_t least, PixelMask& mask) {
@@ -147,6 +125,28 @@ PixelMask GroundPixels(const OrthoRaster& raster, std::span<const FillPixel> fil
   for (uint8_t& value : ground) value = value == 0 ? 1 : 0;
   DropSmallRegions(raster.frame, std::lround(kLeastRegion / (raster.frame.texel * raster.frame.texel)), ground);
   return ground;
+}
+
+PixelMask SurfaceBeside(const OrthoRaster& raster, std::span<const FillPixel> fill, const SquareLattice& level) {
+  const RasterFrame& frame = raster.frame;
+  PixelMask filled(fill.size()), objects(fill.size());
+  for (size_t i = 0; i < filled.size(); ++i) filled[i] = fill[i] != FillPixel::kNone ? 1 : 0;
+  PixelMask beside = Dilated(filled, frame, PixelsIn(kBeside, frame));
+  for (int32_t y = 0; y < frame.height; ++y) {
+    for (int32_t x = 0; x < frame.width; ++x) {
+      const size_t at = frame.At(x, y);
+      if (beside[at] == 0 || raster.known[at] == 0) continue;
+      const double above = double{raster.heights[at]} - double{ValueAt(level, frame, x, y)[0]};
+      objects[at] = above >= kObjectHeight ? 1 : 0;
+      if (above <= -kObjectHeight) beside[at] = 0;
+    }
+  }
+  const PixelMask at_end = Dilated(filled, frame, PixelsIn(kBlurred, frame)),
+                  at_object = Dilated(objects, frame, PixelsIn(kKeepAway, frame));
+  for (size_t i = 0; i < beside.size(); ++i) {
+    if (at_end[i] != 0 || at_object[i] != 0 || raster.known[i] == 0) beside[i] = 0;
+  }
+  return beside;
 }
 
 PixelMask WaterPixels(const OrthoRaster& raster, std::span<const FillPixel> fill, double level) {

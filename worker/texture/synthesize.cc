@@ -19,10 +19,7 @@ constexpr double kRimFade = 2;
 constexpr float kMostStep = 40;      // grey levels; more is an object, a mark or a shadow
 constexpr double kLevelSquare = 1;   // metres
 constexpr float kMostAboveFill = 1;  // metres, or below
-constexpr double kBeside = 3;        // metres: the surface that a fill goes on from
-constexpr double kBlurred = 0.25;    // metres: texels at the end of the surface
-constexpr float kObjectHeight = 0.4F;
-constexpr double kKeepAway = 0.5;    // metres from objects
+constexpr double kWaterBeside = 3;   // metres of water beside the fill
 constexpr double kWaterGrain = 1.5;  // grey levels
 constexpr int kRimSweeps = 30;
 
@@ -35,14 +32,14 @@ class LayerMaker {
       make_[i] = fill.pixels[i] == layer ? 1 : 0;
       hole_[i] = fill.pixels[i] != FillPixel::kNone ? 1 : 0;
     }
-    rim_ = Dilated(make_, frame_, PixelsIn(kRimBand));
+    rim_ = Dilated(make_, frame_, std::max(2, PixelsIn(kRimBand, frame_)));
   }
 
   bool IsNeeded() const { return std::find(make_.begin(), make_.end(), 1) != make_.end(); }
 
   void Ground(PixelMask sources, Rgb fallback) {
     const SquareLattice level = LevelOfFill();
-    beside_ = SurfaceBeside(level);
+    beside_ = SurfaceBeside(raster_, fill_.pixels, level);
     SetBase(fallback);
     KeepFillHeight(level, sources);
     const bool has_sources = std::find(sources.begin(), sources.end(), 1) != sources.end();
@@ -58,7 +55,7 @@ class LayerMaker {
     if (look.given_water) {
       colours_.assign(make_.size(), ChannelsOf(*look.given_water));
     } else {
-      beside_ = Dilated(hole_, frame_, PixelsIn(kBeside));
+      beside_ = Dilated(hole_, frame_, PixelsIn(kWaterBeside, frame_));
       for (size_t i = 0; i < sources.size(); ++i) beside_[i] = beside_[i] != 0 && sources[i] != 0 ? 1 : 0;
       SetBase(look.water);
       SpreadRimStep();
@@ -118,31 +115,6 @@ class LayerMaker {
         if (std::abs(above) > kMostAboveFill) sources[at] = 0;
       }
     }
-  }
-
-  // The surface that the fill goes on from: pixels beside it that are as high as it is, whatever they are, and not
-  // beside what stands on it.
-  PixelMask SurfaceBeside(const SquareLattice& level) const {
-    PixelMask beside = Dilated(hole_, frame_, PixelsIn(kBeside)), objects(beside.size());
-    for (int32_t y = 0; y < frame_.height; ++y) {
-      for (int32_t x = 0; x < frame_.width; ++x) {
-        const size_t at = frame_.At(x, y);
-        if (beside[at] == 0 || raster_.known[at] == 0) continue;
-        const float above = raster_.heights[at] - ValueAt(level, frame_, x, y)[0];
-        objects[at] = above >= kObjectHeight ? 1 : 0;
-        if (above <= -kObjectHeight) beside[at] = 0;
-      }
-    }
-    const PixelMask at_end = Dilated(hole_, frame_, PixelsIn(kBlurred)),
-                    at_object = Dilated(objects, frame_, PixelsIn(kKeepAway));
-    for (size_t i = 0; i < beside.size(); ++i) {
-      if (at_end[i] != 0 || at_object[i] != 0 || raster_.known[i] == 0) beside[i] = 0;
-    }
-    return beside;
-  }
-
-  int32_t PixelsIn(double metres) const {
-    return std::max(1, static_cast<int32_t>(std::lround(metres / frame_.texel)));
   }
 
   PixelMask MadeAndRim(const PixelMask& sources) const {

@@ -33,16 +33,6 @@ TEST(PixelMasksTest, SmallRegionsGo) {
   EXPECT_EQ(mask, (PixelMask{1, 1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1, 1, 1}));
 }
 
-TEST(PixelMasksTest, DistancesGrowInward) {
-  const RasterFrame frame{1, 0, 0, 11, 11};
-  PixelMask mask(frame.size(), 1);
-  mask[frame.At(5, 5)] = 0;
-  const std::vector<float> distance = DistanceInside(mask, frame);
-  EXPECT_EQ(distance[frame.At(5, 5)], 0);
-  EXPECT_EQ(distance[frame.At(9, 5)], 4);
-  EXPECT_NEAR(distance[frame.At(8, 8)], 4.24, 0.3);
-}
-
 TEST(PixelMasksTest, AHouseIsNoGroundAndNeitherIsItsSurroundings) {
   OrthoRaster raster = Grey();
   for (int32_t y = 60; y < 90; ++y) {

@@ -20,7 +20,6 @@
 #include "common/mesh/triangle_shape.h"
 #include "worker/fill/space/cone_fill.h"
 #include "worker/fill/space/crossing_index.h"
-#include "worker/fill/space/height_over.h"
 #include "worker/fill/space/loop_bridges.h"
 #include "worker/fill/space/patch_crossings.h"
 #include "worker/fill/space/patch_edit.h"
@@ -40,6 +39,18 @@ constexpr Reach kReaches[] = {{0, false}, {1, true}, {1, false}, {3, true}, {2, 
 constexpr size_t kLongestLoop = 60;
 // Of the mean edge of what is taken out: how far surface that faces up may move there along the vertical.
 constexpr double kMostOff = 0.25;
+
+// Of the triangle over p, along the vertical; infinity where it lies neither over nor under p.
+double HeightOver(const SpaceTriangle& t, const Point3& p) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const auto normal = TwiceVectorArea(t);
+  if (normal.z() == 0) return kNone;
+  for (int k = 0; k < 3; ++k) {
+    const Point2 side = (t[(k + 1) % 3] - t[k]).head<2>(), to = (p - t[k]).head<2>();
+    if ((side.x() * to.y() - side.y() * to.x()) * normal.z() < 0) return kNone;
+  }
+  return normal.dot(t[0] - p) / normal.z();
+}
 
 // A loop that passes its bridges to and fro.
 struct BridgedLoop {
