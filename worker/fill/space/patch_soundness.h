@@ -28,10 +28,10 @@ class CrossingCheck {
   //   reach    where a patch may go (ReachOf)
   //   near     gives the surface; without it the band stands for it. Asked when a patch is first tested
   //   earlier  patches of the cell's holes before
-  // All but `reach` must outlive it.
-  CrossingCheck(const LocalHole& hole, const Eigen::AlignedBox3d& reach, const SurfaceNear& near,
+  // `hole` and `earlier` must outlive it.
+  CrossingCheck(const LocalHole& hole, const Eigen::AlignedBox3d& reach, SurfaceNear near,
                 std::span<const HolePatch> earlier)
-      : hole_(hole), reach_(reach), near_(near), earlier_(earlier) {}
+      : hole_(hole), reach_(reach), near_(std::move(near)), earlier_(earlier) {}
 
   // Whether the patch keeps within reach.
   bool StaysNear(const LocalPatch& patch) const;
@@ -53,7 +53,7 @@ class CrossingCheck {
 
   const LocalHole& hole_;
   const Eigen::AlignedBox3d reach_;
-  const SurfaceNear& near_;
+  const SurfaceNear near_;
   std::span<const HolePatch> earlier_;
   Eigen::AlignedBox3d looked_at_;
   std::vector<SpaceTriangle> surroundings_;  // within looked_at_, without those that pass through the rim once known
