@@ -22,6 +22,7 @@ class CellLetters {
     if (is_new) at->second.fill(kNone);
     return at->second[IndexOf(cell)];
   }
+  bool empty() const { return blocks_.empty(); }
   char At(CellId cell) const {
     const auto found = blocks_.find(BlockOf(cell));
     return found == blocks_.end() ? kNone : found->second[IndexOf(cell)];

@@ -184,8 +184,10 @@ void JobRuns::OnCompleted(const std::string& id, const JobOutcome& outcome, cons
 void JobRuns::OnFinished(const std::string& id, absl::StatusOr<JobOutcome> outcome) {
   ClusterLock lock(cluster_.mutex);
   const Job* job = cluster_.state.FindJob(id);
-  if (job == nullptr || IsOver(job->state)) return;
+  if (job == nullptr) return;
   JobEntry& entry = cluster_.jobs.at(id);
+  entry.sight.reset();  // the page reads the report now; a job that was cancelled needs it no more
+  if (IsOver(job->state)) return;
   JobState state = JobState::kFailed;
   if (outcome.ok()) {
     entry.outcome = *std::move(outcome);
@@ -194,7 +196,6 @@ void JobRuns::OnFinished(const std::string& id, absl::StatusOr<JobOutcome> outco
     entry.error = outcome.status();
     entry.ended = cluster_.options.clock();
   }
-  entry.sight.reset();  // the page reads the report now
   updates_.Apply(JobFinished{id, state, entry.ended}).IgnoreError();
   cluster_.events.JobEnded(*job, entry.outcome, entry.error, entry.origin);
   if (state == JobState::kFailed) journal_.PutJob(*job, true);

@@ -15,6 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr char kNoCell = CellLetters::kNone;
+constexpr char kUnknownCell = '?';  // the job is over, and what became of the cell is not known
 
 // The rectangle around cells.
 struct Frame {
@@ -41,10 +42,19 @@ Frame FrameOf(const JobCells& job, const SceneSight* sight) {
   return frame;
 }
 
+// After a restart the cells of a job that was over are not known.
+bool IsRemembered(const JobCells& job) { return !IsOver(job.state) || !job.cells.empty(); }
+
+// The letter of a cell that has no task.
+char WithoutTask(const JobCells& job) {
+  if (!IsOver(job.state)) return static_cast<char>(CellProgress::kWaiting);
+  if (job.state == JobState::kDone || job.state == JobState::kPartial) return static_cast<char>(CellProgress::kWritten);
+  return IsRemembered(job) ? static_cast<char>(CellProgress::kWaiting) : kUnknownCell;
+}
+
 std::string LettersOf(const JobCells& job, const SceneSight* sight, const Frame& frame) {
   std::string letters(static_cast<size_t>(frame.columns() * frame.rows()), kNoCell);
-  const bool done = job.state == JobState::kDone || job.state == JobState::kPartial;
-  const char without_task = static_cast<char>(done ? CellProgress::kWritten : CellProgress::kWaiting);
+  const char without_task = WithoutTask(job);
   if (sight != nullptr) {
     sight->cells().ForEach([&](CellId cell, char letter) {
       letters[frame.IndexOf(cell)] = letter == SceneSight::kWithoutSurface ? letter : without_task;
@@ -80,6 +90,7 @@ absl::StatusOr<std::string> CellMapJson(const JobCells& job, const SceneSight* s
               {"rows", frame.rows()}};
   if (sight != nullptr) map["cellSize"] = {sight->cell_size().x(), sight->cell_size().y()};
   map["hasTiles"] = sight != nullptr;
+  map["isRemembered"] = IsRemembered(job);
   map["cells"] = LettersOf(job, sight, frame);
   map["held"] = Json::array();
   for (const CellId cell : job.held) map["held"].push_back({cell.col, cell.row});

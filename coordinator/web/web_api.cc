@@ -110,6 +110,22 @@ std::optional<CellId> CellOf(const std::string& text) {
   return cell;
 }
 
+// A turn to read a tile; false if too many are read.
+class TileRead {
+ public:
+  explicit TileRead(std::counting_semaphore<kMostTileReads>& all) : all_(all), has_(all.try_acquire()) {}
+  ~TileRead() {
+    if (has_) all_.release();
+  }
+  TileRead(const TileRead&) = delete;
+  TileRead& operator=(const TileRead&) = delete;
+  explicit operator bool() const { return has_; }
+
+ private:
+  std::counting_semaphore<kMostTileReads>& all_;
+  const bool has_;
+};
+
 // 304 if the caller has this answer already.
 void AddTag(const HttpRequest& request, HttpAnswer& answer) {
   const std::string tag = absl::StrCat("\"", Sha256Hex(answer.body).substr(0, 32), "\"");
@@ -241,6 +257,7 @@ absl::StatusOr<HttpAnswer> WebApi::Me(const Peer& peer) const {
 absl::StatusOr<HttpAnswer> WebApi::Cells(const std::string& name, const Peer& peer) {
   TILEMEND_ASSIGN_OR_RETURN(const JobCells job, calls_.GetCells(peer, name));
   const auto sight = files_.SightOf(name, job);
+  if (absl::IsUnavailable(sight.status()) && job.cells.empty()) return sight.status();  // else a map without cells
   TILEMEND_ASSIGN_OR_RETURN(std::string text, CellMapJson(job, sight.ok() ? sight->get() : nullptr));
   return JsonAnswer(std::move(text));
 }
@@ -273,6 +290,8 @@ absl::StatusOr<HttpAnswer> WebApi::TileOf(const Match& match, const HttpRequest&
   const bool after = match.route->call == WebCall::kTileAfter;
   const auto path = request.query.find("path");
   const auto wanted = path == request.query.end() ? "" : path->second;
+  const TileRead turn(tile_reads_);
+  if (!turn) return absl::UnavailableError("other tiles are being read; ask again");
   TILEMEND_ASSIGN_OR_RETURN(JobFiles::File file, files_.FileOf(name, job, *id, after, wanted));
   HttpAnswer answer{.type = "application/octet-stream", .body = std::move(file.bytes)};
   const size_t dot = file.name.rfind('.');

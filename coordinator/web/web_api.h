@@ -3,6 +3,7 @@
 #define TILEMEND_COORDINATOR_WEB_WEB_API_H_
 
 #include <map>
+#include <semaphore>
 #include <string>
 
 #include "absl/status/status.h"
@@ -14,6 +15,9 @@
 #include "coordinator/web/routes.h"
 
 namespace tilemend {
+
+// Tiles that are read at once, of the server's 16 threads. A shared folder that hangs holds no more of them.
+inline constexpr std::ptrdiff_t kMostTileReads = 6;
 
 // Thread-safe. Who calls is said by "Authorization: Bearer TOKEN" or by a certificate, as over gRPC, and has the same
 // rights there and here (GuardedCalls).
@@ -40,6 +44,7 @@ class WebApi {
   const GuardedCalls& calls_;
   const JobLogTail* const log_;
   JobFiles files_;
+  std::counting_semaphore<kMostTileReads> tile_reads_{kMostTileReads};
 };
 
 // The HTTP status for an error of a call.

@@ -28,7 +28,7 @@ export class Console {
     const tab = await context.newPage();
     tab.on('pageerror', (error) => this.faults.push(`error: ${error.message}`));
     tab.on('console', (message) => {
-      if (message.type() === 'error' && !this.mayFail && !/status of (401|404|503)/.test(message.text())) this.faults.push(`console: ${message.text()}`);
+      if (message.type() === 'error' && !this.mayFail && !/status of (401|403|404|409|503)/.test(message.text())) this.faults.push(`console: ${message.text()}`);
     });
     tab.on('dialog', (dialog) => { this.faults.push('a text ran as a script'); dialog.dismiss(); });
     tab.on('request', (request) => {

@@ -22,8 +22,11 @@ expect(await tab.locator('svg.map rect.written').count() >= 8, 'cells are not sh
 const rows = tab.locator('table.holes tbody tr');
 const all = await rows.count();
 await tab.locator('svg.map rect').first().click();
+const ofCell = tab.locator('.filters button', { hasText: 'cell' });
 expect(await rows.count() < all, 'a click on a cell does not choose its holes');
-await tab.locator('.filters input[type=search]').fill('');
+expect(await tab.locator('.filters input[type=search]').inputValue() === '', 'a click on a cell changes what was filtered for');
+await ofCell.click();
+expect(await rows.count() === all && await ofCell.isHidden(), 'the holes of all cells do not come back');
 await tab.locator('.filters input.least').first().fill('10');
 expect(await rows.count() < all && await rows.count() > 0, 'the least area does not choose');
 await rows.first().click();
@@ -149,7 +152,13 @@ expect(await large.locator('.priority').inputValue() === '7', 'the priority was 
 await large.locator('button', { hasText: 'cancel' }).click();
 await large.locator('button', { hasText: 'really' }).click();
 await tab.waitForFunction(() => document.querySelector('.job.chosen .state')?.textContent === 'cancelled', null, { timeout: 20000 });
+expect(await tab.locator('svg.map rect.unknown').count() === 0, 'cells of a job that was cancelled now are not known');
+
+// An output that is there is replaced only after a second click.
 await job('lakes').locator('.name').click();
+await job('lakes').locator('button', { hasText: 'do again' }).first().click();
+await job('lakes').locator('button', { hasText: 'replace its output?' }).waitFor({ timeout: 20000 });
+expect(await job().count() === 6, 'a job that is done again replaced an output unasked');
 await tab.waitForSelector(`.jobview[data-job="${chosen}"]`);
 await tab.waitForSelector('table.holes tbody tr', { timeout: 20000 });
 const written = await tab.waitForFunction(() => document.querySelectorAll('svg.map rect.written').length >= 8, null,
@@ -162,4 +171,20 @@ await watcher.waitForSelector('.job');
 expect(await watcher.locator('.steer:not([hidden])').count() === 0, 'who may watch alone is shown buttons');
 await page.checkAccess(watcher, 'dark');
 await watcher.screenshot({ path: join(folder, 'console_dark.png') });
+
+// Who gave a token that may not watch, or is none, can give another.
+const alerts = watcher.locator('[role=alert]:not([hidden])');
+await watcher.locator('button', { hasText: 'forget the token' }).click();
+for (const [token, told] of [['wrk', 'role'], ['ev\u2026', 'ASCII']]) {
+  await watcher.waitForSelector('.login:not([hidden])', { timeout: 20000 });
+  await watcher.locator('#token').fill(token);
+  await watcher.locator('.login button').click();
+  await alerts.filter({ hasText: told }).waitFor({ timeout: 20000 });
+  expect(!(await watcher.locator('header').innerText()).includes('eve'), 'who has gone is still named');
+}
+await watcher.locator('#token').fill('eve');
+await watcher.locator('.login button').click();
+await watcher.waitForSelector('.job', { timeout: 20000 });
+await watcher.waitForFunction(() => !document.querySelector('[role=alert]:not([hidden])'), null, { timeout: 20000 })
+  .catch(() => expect(false, 'a fault is told that is over'));
 await page.end();

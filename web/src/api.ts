@@ -25,7 +25,7 @@ export interface Failure { cell: [number, number]; stage: string; reason: string
 
 export interface Cells {
   state: string; column: number; row: number; columns: number; rows: number; cellSize?: [number, number];
-  hasTiles: boolean; cells: string; held: [number, number][]; failures: Failure[];
+  hasTiles: boolean; isRemembered: boolean; cells: string; held: [number, number][]; failures: Failure[];
 }
 
 export interface Holes { holeCount: number; holes: Hole[]; planned: boolean }
@@ -42,9 +42,14 @@ export class ApiError extends Error {
 }
 
 const TOKEN = 'tilemend-token';
+const MOST_KNOWN = 64;             // answers that are kept
+const PATIENCE = 30_000;           // milliseconds that an answer to a poll may take
 const known = new Map<string, { tag: string; value: unknown }>();
 
 export const hasToken = (): boolean => sessionStorage.getItem(TOKEN) !== null;
+
+// Headers have no other letters.
+export const isToken = (text: string): boolean => /^[!-~]+$/.test(text);
 
 export function setToken(token: string): void {
   known.clear();
@@ -52,12 +57,12 @@ export function setToken(token: string): void {
   else sessionStorage.removeItem(TOKEN);
 }
 
-async function call(method: string, path: string, headers: Record<string, string>, body?: string): Promise<Response> {
+async function call(method: string, path: string, headers: Record<string, string>, more: RequestInit = {}): Promise<Response> {
   const token = sessionStorage.getItem(TOKEN);
   if (token) headers['Authorization'] = `Bearer ${token}`;
   let answer: Response;
   try {
-    answer = await fetch(path, { method, headers, cache: 'no-store', ...(body === undefined ? {} : { body }) });
+    answer = await fetch(path, { method, headers, cache: 'no-store', ...more });
   } catch {
     throw new ApiError(0, 'the coordinator does not answer', '');
   }
@@ -69,21 +74,50 @@ async function call(method: string, path: string, headers: Record<string, string
 // The same object as before if nothing has changed.
 export async function get<T>(path: string): Promise<T> {
   const before = known.get(path);
-  const answer = await call('GET', path, before ? { 'If-None-Match': before.tag } : {});
-  if (answer.status === 304 && before) return before.value as T;
-  const value = await answer.json() as T;
-  known.set(path, { tag: answer.headers.get('ETag') ?? '', value });
-  return value;
+  const answer = await call('GET', path, before ? { 'If-None-Match': before.tag } : {}, { signal: AbortSignal.timeout(PATIENCE) });
+  const isSame = answer.status === 304 && before;
+  const now = isSame ? before : { tag: answer.headers.get('ETag') ?? '', value: await answer.json() };
+  known.delete(path);
+  known.set(path, now); // the last asked for is the last
+  for (const oldest of known.keys()) {
+    if (known.size <= MOST_KNOWN) break;
+    known.delete(oldest);
+  }
+  return now.value as T;
+}
+
+// All items of a list, which comes in pages, but at most about `most`. The first pages are those that change.
+export async function getAll<T>(path: string, field: string, most: number): Promise<{ items: T[]; isAll: boolean }> {
+  const items: T[] = [];
+  let token = '';
+  do {
+    const page = await get<Record<string, T[]> & { nextPageToken: string }>(`${path}${token ? `&pageToken=${encodeURIComponent(token)}` : ''}`);
+    items.push(...page[field] ?? []);
+    token = page.nextPageToken;
+  } while (token && items.length < most);
+  return { items, isAll: !token };
 }
 
 // The tile of a cell, `path` being /v1/jobs/JOB/cells/CELL/before or after, or a file that the tile names.
 export interface TileFile { format: string; frame: number[] | null; bytes: ArrayBuffer }
 
 export async function getTile(path: string, file = ''): Promise<TileFile> {
-  const answer = await call('GET', file ? `${path}?path=${encodeURIComponent(file)}` : path, {});
+  const answer = await whenThereIsRoom(() => call('GET', file ? `${path}?path=${encodeURIComponent(file)}` : path, {}));
   const frame = answer.headers.get('X-Tile-Frame');
   return { format: (answer.headers.get('X-Tile-Format') ?? '').toLowerCase(), bytes: await answer.arrayBuffer(),
     frame: frame ? frame.split(' ').map(Number) : null };
+}
+
+// The coordinator reads a few tiles at once; who comes then asks again.
+async function whenThereIsRoom(ask: () => Promise<Response>): Promise<Response> {
+  for (let wait = 250; ; wait *= 2) {
+    try {
+      return await ask();
+    } catch (error) {
+      if (!(error instanceof ApiError) || error.status !== 503 || wait > 8000) throw error;
+    }
+    await new Promise((resolve) => { setTimeout(resolve, wait); });
+  }
 }
 
 // Null if there is no such file.
@@ -97,5 +131,5 @@ export async function getTileIfThere(path: string, file = ''): Promise<TileFile 
 }
 
 export async function post(path: string, body: unknown): Promise<Job> {
-  return await (await call('POST', path, { 'Content-Type': 'application/json' }, JSON.stringify(body))).json() as Job;
+  return await (await call('POST', path, { 'Content-Type': 'application/json' }, { body: JSON.stringify(body) })).json() as Job;
 }

@@ -119,7 +119,7 @@ export function canvasGrid(first: Squares, look: GridLook): Grid {
   };
   addPointer(canvas, { pixelOf, pan: (dx, dy) => moveTo(x - dx, y - dy), zoom, choose: (at) => { const k = cellAt(at); if (k >= 0) look.choose(k); },
     point: (at) => { const k = cellAt(at); canvas.title = k >= 0 ? shown.textOf(k) : ''; } });
-  addKeys(canvas, () => shown, select, look.choose);
+  addKeys(canvas, () => shown, () => chosen, select, look.choose);
   canvas.addEventListener('keydown', ({ key }) => {
     if (key === '+' || key === '=') zoom(2);
     if (key === '-') zoom(0.5);
@@ -128,9 +128,11 @@ export function canvasGrid(first: Squares, look: GridLook): Grid {
   const bar = el('div', { class: 'zoom' }, button('+', 'zoom in', () => zoom(2)), button('\u2212', 'zoom out', () => zoom(0.5)),
     button('all', 'show all cells', () => zoom(0)));
   const repaint = () => { picture.forgetColours(); isStale = true; ask(); };
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', repaint);
+  const scheme = matchMedia('(prefers-color-scheme: dark)'), ended = new AbortController();
+  scheme.addEventListener('change', repaint, { signal: ended.signal });
   ask();
-  return { element: el('div', { class: 'canvasmap' }, canvas, bar), update: (next) => { shown = next; isStale = true; ask(); }, select };
+  return { element: el('div', { class: 'canvasmap' }, canvas, bar), update: (next) => { shown = next; isStale = true; ask(); }, select,
+    dispose: () => ended.abort() };
 }
 
 interface PointerActions {

@@ -2,7 +2,8 @@
 import type { Cells, Failure } from './api';
 import { counted, el } from './dom';
 
-const MOST_LINES = 8; // below one failure
+const MOST_LINES = 8;      // below one failure
+const MOST_FAILURES = 200; // as the coordinator has it
 
 // A cell as the log writes it.
 function logName([column, row]: [number, number]): string {
@@ -21,6 +22,7 @@ export class Failures {
   private readonly log = el('pre', { class: 'log', tabindex: '0', 'aria-label': 'log lines of the job' });
   private readonly logBox = el('details', { class: 'joblog' }, el('summary', {}, 'Log of the job'), this.log);
   private readonly list = el('div', {});
+  private shown = '';
 
   // `choose` hears of a cell.
   constructor(private readonly choose: (cell: [number, number]) => void) {
@@ -28,8 +30,12 @@ export class Failures {
   }
 
   update(cells: Cells, lines: string[]): void {
-    this.log.textContent = lines.length > 0 ? lines.join('\n') : 'This coordinator has no lines of the job.';
+    const text = lines.length > 0 ? lines.join('\n') : 'This coordinator has no lines of the job.';
+    if (this.log.textContent !== text) this.log.textContent = text;
     const { failures } = cells;
+    const now = JSON.stringify(failures.map((failure) => [failure, evidenceOf(failure, lines)]));
+    if (now === this.shown) return; // whose button has the focus keeps it
+    this.shown = now;
     if (failures.length === 0) return this.list.replaceChildren();
     const row = (failure: Failure) => {
       const evidence = evidenceOf(failure, lines);
@@ -38,7 +44,8 @@ export class Failures {
         el('td', {}, failure.stage.replace('_', ' ')),
         el('td', {}, failure.reason, ...(evidence.length > 0 ? [el('pre', { class: 'log' }, evidence.join('\n'))] : [])));
     };
-    this.list.replaceChildren(el('h2', {}, counted(failures.length, 'failed task')),
+    const title = failures.length < MOST_FAILURES ? counted(failures.length, 'failed task') : `The first ${MOST_FAILURES} failed tasks`;
+    this.list.replaceChildren(el('h2', {}, title),
       el('div', { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'failed tasks' }, el('table', { class: 'failures' },
         el('thead', {}, el('tr', {}, ...['cell', 'stage', 'why, and what the log says'].map((text) => el('th', { scope: 'col' }, text)))),
         el('tbody', {}, ...failures.map(row)))));

@@ -24,6 +24,7 @@ export interface Grid {
   element: HTMLElement;
   update: (squares: Squares) => void; // of the same frame
   select: (k: number) => void;        // -1: none
+  dispose: () => void;                // once it is not shown any more
 }
 
 export const indexIn = (frame: Frame, column: number, row: number): number =>
@@ -38,23 +39,22 @@ export function frameOf(cells: { column: number; row: number }[]): Frame {
   return { column: c0, row: r0, columns: c1 - c0 + 1, rows: r1 - r0 + 1 };
 }
 
-// The arrow keys move a mark over the cells, Enter chooses.
-export function addKeys(element: Element, squares: () => Squares, move: (k: number) => void, choose: (k: number) => void): void {
-  let at = -1;
+// The arrow keys move a mark over the cells and over gaps between them, Enter chooses. `marked`: where it is, -1 at first.
+export function addKeys(element: Element, squares: () => Squares, marked: () => number, move: (k: number) => void, choose: (k: number) => void): void {
   element.addEventListener('keydown', (event) => {
-    const { key } = event as KeyboardEvent, { frame, stateOf } = squares();
+    const { key } = event as KeyboardEvent, { frame, stateOf } = squares(), at = marked();
     if (key === 'Enter' && at >= 0) choose(at);
     const steps: Record<string, number> = { ArrowLeft: -1, ArrowRight: 1, ArrowUp: frame.columns, ArrowDown: -frame.columns };
     const step = steps[key];
     if (step === undefined) return;
     event.preventDefault();
     const all = frame.columns * frame.rows;
-    const isBeside = (k: number) => k >= 0 && k < all && (Math.abs(step) !== 1 || Math.floor(k / frame.columns) === Math.floor(at / frame.columns));
-    let next = at < 0 ? 0 : at + step;
-    if (at < 0) while (next < all && !stateOf(next)) ++next;
-    if ((at < 0 ? next >= all : !isBeside(next)) || !stateOf(next)) return;
-    at = next;
-    move(at);
+    const isInLine = (k: number) => k >= 0 && k < all && (Math.abs(step) !== 1 || Math.floor(k / frame.columns) === Math.floor(at / frame.columns));
+    const [first, by] = at < 0 ? [0, 1] : [at + step, step];
+    const isThere = (k: number) => (at < 0 ? k < all : isInLine(k));
+    let next = first;
+    while (isThere(next) && !stateOf(next)) next += by;
+    if (isThere(next)) move(next);
   });
 }
 
@@ -93,14 +93,14 @@ function svgGrid(first: Squares, numbers: number[], [w, h]: [number, number], lo
     paint(now);
     root.setAttribute('aria-label', shown.textOf(k));
   };
-  addKeys(root, () => shown, select, look.choose);
+  addKeys(root, () => shown, () => chosen, select, look.choose);
   update(first);
-  return { element: el('div', { class: 'scroll' }, root), update, select };
+  return { element: el('div', { class: 'scroll' }, root), update, select, dispose: () => undefined };
 }
 
 // In place of a grid that cannot be drawn.
 export function noGrid(why: string): Grid {
-  return { element: el('p', {}, why), update: () => undefined, select: () => undefined };
+  return { element: el('p', {}, why), update: () => undefined, select: () => undefined, dispose: () => undefined };
 }
 
 export function makeGrid(squares: Squares, look: GridLook): Grid {

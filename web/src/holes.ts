@@ -50,14 +50,19 @@ export function holesTable(rows: HoleRows, choose?: (hole: Hole) => void): Holes
   let report = rows;
   let sorted: { column: number; down: boolean } | null = null;
   let shown = STEP;
-  const search = el('input', { type: 'search', placeholder: 'filter, e.g. water or 3, 14', 'aria-label': 'filter' });
+  let cell: readonly number[] | null = null; // whose holes alone are shown
+  const search = el('input', { type: 'search', placeholder: 'filter, e.g. water', 'aria-label': 'filter' });
+  const ofCell = el('button', { type: 'button', hidden: '', title: 'show the holes of all cells', click: () => setCell(null) });
   const outcome = el('select', { 'aria-label': 'outcome' });
   for (const [value, text] of [['', 'all outcomes'], ['left', 'left open'], ['filled', 'filled'], ['planned', 'planned']] as const) {
     outcome.append(el('option', { value }, text));
   }
   const kind = el('select', { 'aria-label': 'kind' });
+  let toldKinds = '';
   const tellKinds = () => {
     const before = kind.value, names = [...new Set(report.per_hole.map((h) => h.kind))].sort();
+    if (names.join() === toldKinds) return; // the list may be open
+    toldKinds = names.join();
     kind.replaceChildren(el('option', { value: '' }, 'all kinds'), ...names.map((name) => el('option', { value: name }, name)));
     kind.value = names.includes(before) ? before : '';
   };
@@ -69,6 +74,7 @@ export function holesTable(rows: HoleRows, choose?: (hole: Hole) => void): Holes
   const matching = (): Hole[] => {
     const words = search.value.trim().toLowerCase();
     const holes = report.per_hole.filter((hole) =>
+      (cell === null || (hole.cell?.[0] === cell[0] && hole.cell[1] === cell[1])) &&
       (outcome.value === '' || outcome.value === (hole.planned ? 'planned' : hole.filled ? 'filled' : 'left')) &&
       (kind.value === '' || kind.value === hole.kind) &&
       (area.value === '' || hole.area >= Number(area.value)) &&
@@ -111,12 +117,21 @@ export function holesTable(rows: HoleRows, choose?: (hole: Hole) => void): Holes
   tellKinds();
   update();
   const element = el('div', {},
-    el('div', { class: 'filters' }, search, outcome, kind, area, sigma, count),
+    el('div', { class: 'filters' }, search, ofCell, outcome, kind, area, sigma, count),
     el('div', { class: 'scroll' }, el('table', { class: 'holes' }, el('thead', {}, head), body)), more);
-  const showCell = (cell: readonly [number, number, ...number[]]) => {
-    search.value = `${cell[0]}, ${cell[1]}`;
+  function setCell(next: readonly number[] | null): void {
+    cell = next;
+    ofCell.hidden = next === null;
+    ofCell.textContent = next === null ? '' : `cell ${next[0]}, ${next[1]} \u00d7`;
     shown = STEP;
     update();
+  }
+  const showCell = (next: readonly [number, number, ...number[]]) => {
+    setCell(next);
+    if (search.value && matching().length === 0) { // what was asked for before is not in this cell
+      search.value = '';
+      update();
+    }
     element.scrollIntoView({ behavior: 'smooth' });
   };
   return { element, showCell, update: (next) => { report = next; tellKinds(); update(); } };

@@ -23,6 +23,9 @@ function rowsOf(holes: Holes, map: JobMap): HoleRows {
   return { per_hole: rows, hole_count: holes.holeCount };
 }
 
+const NO_CELLS: Cells = {
+  state: '', column: 0, row: 0, columns: 0, rows: 0, hasTiles: false, isRemembered: true, cells: '', held: [], failures: [] };
+
 export class JobView {
   readonly element = el('section', { class: 'jobview' });
   private readonly mapBox = el('div', { class: 'mapbox' });
@@ -33,9 +36,13 @@ export class JobView {
   private readonly holesBox = el('div', {});
   private readonly reviewBox = el('div', {});
   private grid: Grid | null = null;
+  private card: Card | null = null;
+  private mapNote = '';
+  private holesError = '';
   private shape = '';
   private map: JobMap | null = null;
   private holes: Holes | null = null;
+  private told = '';
   private lines: LogLines = { lines: [] };
   private table: HolesTable | null = null;
   private readonly reviewed = new Map<number, number>(); // by hole, the hole of its row in the queue
@@ -47,12 +54,15 @@ export class JobView {
   }
 
   async poll(job: Job): Promise<void> {
-    const cells = await get<Cells>(`/v1/${this.name}/cells`);
+    const cells = await this.readCells();
+    if (!cells) return;
     const isPlanned = Number(job.progress.holes) > 0 || (isOver(job) && job.report !== '');
     const holes = isPlanned ? await this.readHoles() : null;
     const lines = await get<LogLines>(`/v1/${this.name}/log`);
     this.warnings.replaceChildren(...job.warnings.map((text) => el('p', { class: 'warning' }, text)));
-    if (cells === this.map?.cells && holes === this.holes && lines === this.lines) return;
+    const told = this.mapNote + this.holesError;
+    if (cells === this.map?.cells && holes === this.holes && lines === this.lines && told === this.told) return;
+    this.told = told;
     this.holes = holes;
     this.lines = lines;
     const hadTiles = this.map?.cells.hasTiles ?? false;
@@ -72,22 +82,44 @@ export class JobView {
     this.showDetail(cell, null);
   }
 
+  dispose(): void {
+    this.card?.dispose();
+    this.grid?.dispose();
+  }
+
+  // As before while its scene is read, null at first. A map without cells if it is too large.
+  private async readCells(): Promise<Cells | null> {
+    try {
+      const cells = await get<Cells>(`/v1/${this.name}/cells`);
+      this.mapNote = cells.isRemembered ? '' : 'This job was over before the coordinator was last started. Which of its tasks failed is not known.';
+      return cells;
+    } catch (error) {
+      if (!(error instanceof ApiError) || (error.status !== 503 && error.reason !== 'TOO_LARGE')) throw error;
+      if (error.status === 503) return this.map?.cells ?? null;
+      this.mapNote = error.message;
+      return NO_CELLS;
+    }
+  }
+
   // As before while they are read; null if there are none.
   private async readHoles(): Promise<Holes | null> {
+    this.holesError = '';
     try {
       return await get<Holes>(`/v1/${this.name}/holes`);
     } catch (error) {
-      if (error instanceof ApiError && error.status === 503) return this.holes;
-      if (error instanceof ApiError && error.status >= 400 && error.status !== 401) return null; // none yet, or its folder is gone
-      throw error;
+      if (!(error instanceof ApiError) || error.status === 0 || error.status === 401) throw error;
+      if (error.status === 404) return null; // none yet, or its folder is gone
+      if (error.status !== 503) this.holesError = `The list of holes cannot be shown: ${error.message}`;
+      return this.holes;
     }
   }
 
   private draw(map: JobMap): void {
-    const shape = Object.values(map.frame).join(), legend = legendOf(STATE_NAMES, map.states());
+    const shape = JSON.stringify([map.frame, map.cells.cellSize, map.cells.hasTiles]), legend = legendOf(STATE_NAMES, map.states());
     if (map.frame.columns === 0) {
+      this.grid?.dispose();
       this.grid = null;
-      this.mapBox.replaceChildren(el('p', { class: 'quiet' }, 'The cells are not known yet.'));
+      this.mapBox.replaceChildren(el('p', { class: 'quiet' }, this.mapNote || 'The cells are not known yet.'));
       return;
     }
     if (this.grid && shape === this.shape) {
@@ -96,8 +128,9 @@ export class JobView {
       return;
     }
     this.shape = shape;
+    this.grid?.dispose();
     this.grid = makeGrid(map, { choose: (k) => { if (this.map) this.chooseCell(this.map.cellOf(k)); }, cellSize: map.cells.cellSize ?? [1, 1] });
-    this.mapBox.replaceChildren(this.grid.element, legend);
+    this.mapBox.replaceChildren(el('p', { class: 'quiet' }, this.mapNote), this.grid.element, legend);
     if (this.detail.childElementCount === 0) {
       this.detail.append(el('p', { class: 'quiet' }, 'Choose a cell of the map or a hole of the table to see more of it.'));
     }
@@ -122,6 +155,8 @@ export class JobView {
     if (hole?.doubt && !this.holes?.planned) {
       parts.push(el('button', { type: 'button', class: 'toreview', click: () => void this.showReview(hole) }, 'decide on it in the review queue'));
     }
+    this.card?.dispose();
+    this.card = null;
     this.detail.replaceChildren(...parts);
   }
 
@@ -131,7 +166,7 @@ export class JobView {
       button.replaceWith(el('p', {}, 'This browser has no WebGL, so there are no pictures.'));
       return;
     }
-    const card = new Card(() => readCell(this.name, cell, hole), hole ? `hole ${hole.id} in cell ${cell.join(', ')}` : `cell ${cell.join(', ')}`,
+    const card = this.card = new Card(() => readCell(this.name, cell, hole), hole ? `hole ${hole.id} in cell ${cell.join(', ')}` : `cell ${cell.join(', ')}`,
       'Drag to turn, click and use the wheel to zoom. \u201cMarked\u201d shows new surface in blue.');
     button.replaceWith(card.element);
     void card.load(renderer);
@@ -141,11 +176,11 @@ export class JobView {
     const { holes } = this;
     if (!holes) {
       this.table = null;
-      this.holesBox.replaceChildren(el('p', { class: 'quiet' },
+      this.holesBox.replaceChildren(el('p', { class: 'quiet' }, this.holesError ? this.holesError :
         isOver(job) ? 'There is no list of holes.' : 'The holes are listed here once all cells are surveyed and the plan is made.'));
       return;
     }
-    this.holesNote.textContent = holes.planned
+    this.holesNote.textContent = this.holesError ? this.holesError : holes.planned
       ? 'As planned. A hole counts as filled here when its cell is; the report has the last word, and the methods.' : '';
     if (this.table) return this.table.update(rowsOf(holes, map));
     this.table = holesTable(rowsOf(holes, map), (hole) => this.chooseHole(hole));

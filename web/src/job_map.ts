@@ -3,10 +3,10 @@ import type { Cells, Holes } from './api';
 import { type Frame, indexIn, type Squares } from './grid';
 
 const STATES: Record<string, string> = {
-  '-': 'empty', '.': 'waiting', s: 'surveyed', p: 'planned', f: 'filling', F: 'closed', w: 'written', x: 'failed' };
+  '-': 'empty', '?': 'unknown', '.': 'waiting', s: 'surveyed', p: 'planned', f: 'filling', F: 'closed', w: 'written', x: 'failed' };
 export const STATE_NAMES: [string, string][] = [
   ['waiting', 'waiting'], ['surveyed', 'surveyed'], ['planned', 'planned'], ['filling', 'filling'],
-  ['closed', 'filled'], ['written', 'written'], ['left', 'holes left open'], ['failed', 'failed'], ['empty', 'no tile']];
+  ['closed', 'filled'], ['written', 'written'], ['left', 'holes left open'], ['failed', 'failed'], ['unknown', 'not known'], ['empty', 'no tile']];
 
 // Letters of cells whose fills are there.
 const FILLED = 'Fw';

@@ -1,5 +1,5 @@
 // The list of jobs: how far each is, how fast it goes, and what may be done with it.
-import { type Job, type Me, post } from './api';
+import { ApiError, type Job, type Me, post } from './api';
 import { el, number } from './dom';
 
 // In a surveyor's words.
@@ -55,20 +55,32 @@ const baseName = (path: string): string => path.replace(/\/+$/, '').split('/').p
 export interface JobActions { choose: (job: Job) => void; failed: (error: unknown) => void; changed: () => void }
 
 function steerButtons(job: () => Job, actions: JobActions): { element: HTMLElement; update: (me: Me) => void } {
-  const run = (verb: string, body: unknown) => {
-    post(`/v1/${job().name}/${verb}`, body).then(actions.changed, actions.failed);
+  const run = (verb: string, body: unknown, failed = actions.failed) => {
+    post(`/v1/${job().name}/${verb}`, body).then(actions.changed, failed);
+  };
+  // A button that asks once more before it acts.
+  const askAgain = (button: HTMLButtonElement, question: string, patience: number) => {
+    const text = button.textContent;
+    button.dataset['sure'] = 'yes';
+    button.textContent = question;
+    setTimeout(() => { button.dataset['sure'] = ''; button.textContent = text; }, patience);
   };
   const button = (text: string, click: () => void) => el('button', { type: 'button', click }, text);
   const pause = button('pause', () => run(job().paused ? 'resume' : 'pause', {}));
   const cancel = button('cancel', () => {
-    if (cancel.dataset['sure'] === 'yes') return run('cancel', {});
-    cancel.dataset['sure'] = 'yes';
-    cancel.textContent = 'really cancel?';
-    setTimeout(() => { cancel.dataset['sure'] = ''; cancel.textContent = 'cancel'; }, 4000);
+    if (cancel.dataset['sure'] === 'yes') run('cancel', {});
+    else askAgain(cancel, 'really cancel?', 4000);
   });
-  const retry = button('do again', () => run('retry', { requestId: crypto.randomUUID?.() ?? String(Math.random()) }));
+  // An output that is there is replaced only after a second click.
+  const retry = button('do again', () => {
+    const overwrite = retry.dataset['sure'] === 'yes';
+    run('retry', { requestId: crypto.randomUUID?.() ?? String(Math.random()), overwrite }, (error) => {
+      if (error instanceof ApiError && error.reason === 'OUTPUT_EXISTS' && !overwrite) askAgain(retry, 'replace its output?', 8000);
+      else actions.failed(error);
+    });
+  });
   const priority = el('input', { type: 'number', min: '-100', max: '100', class: 'priority', 'aria-label': 'priority', title: 'priority',
-    change: () => run('priority', { priority: Number(priority.value) }) });
+    change: () => { if (priority.value !== '') run('priority', { priority: Number(priority.value) }); } });
   const element = el('div', { class: 'steer' }, pause, cancel, retry, el('label', {}, 'priority ', priority));
   const update = (me: Me) => {
     const over = isOver(job());

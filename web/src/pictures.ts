@@ -40,11 +40,13 @@ class View {
     this.scene.add(new AmbientLight(0xffffff, isTextured ? 2.4 : 1.5), sun, new Group().add(...this.meshes.map(({ mesh }) => mesh)));
   }
 
+  private controls: OrbitControls | null = null;
+
   orbit(canvas: HTMLCanvasElement, crop: Crop, draw: () => void): void {
     const [x, y, z] = crop.centre, distance = 3.3 * crop.radius;
     this.camera.up.set(0, 0, 1);
     this.camera.position.set(x - 0.25 * distance, y - 0.68 * distance, z + 0.7 * distance);
-    const controls = new OrbitControls(this.camera, canvas);
+    const controls = this.controls = new OrbitControls(this.camera, canvas);
     controls.target.set(x, y, z);
     controls.enableZoom = false; // the wheel scrolls the page, unless the picture has the focus
     canvas.addEventListener('focus', () => { controls.enableZoom = true; });
@@ -52,6 +54,17 @@ class View {
     canvas.addEventListener('pointerdown', () => canvas.focus());
     controls.addEventListener('change', draw);
     controls.update();
+  }
+
+  // What the renderer and the page keep of it.
+  dispose(): void {
+    this.controls?.dispose();
+    for (const { mesh } of this.meshes) {
+      mesh.geometry.dispose();
+      mesh.material.map?.dispose();
+      mesh.material.dispose();
+    }
+    this.renderer.renderLists.dispose();
   }
 
   draw(canvas: HTMLCanvasElement, mode: Mode): void {
@@ -90,6 +103,7 @@ export class Card {
   private readonly note = el('p', { class: 'quiet' }, 'loading');
   private mode: Mode = 'after';
   private view: View | null = null;
+  private isOver = false;
 
   // `remark` is shown below the picture.
   constructor(private readonly read: () => Promise<Crop>, caption: string, private readonly remark: string) {
@@ -111,6 +125,7 @@ export class Card {
   async load(renderer: WebGLRenderer): Promise<void> {
     try {
       const crop = await this.read();
+      if (this.isOver) return;
       this.view = new View(renderer, crop);
       this.view.orbit(this.canvas, crop, () => this.draw());
       this.show(hasTexture(crop) ? 'after' : 'marked'); // without texture a fill looks like its surroundings
@@ -120,6 +135,13 @@ export class Card {
     } catch (error) {
       this.note.textContent = `This picture cannot be shown: ${error instanceof Error ? error.message : String(error)}`;
     }
+  }
+
+  // Once it is not shown any more.
+  dispose(): void {
+    this.isOver = true;
+    this.view?.dispose();
+    this.view = null;
   }
 
   private show(mode: Mode): void {

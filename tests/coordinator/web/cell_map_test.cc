@@ -59,7 +59,12 @@ TEST(CellMapTest, OfAJobOfAnEarlierProcessAllIsWrittenIfItWasDone) {
   job.state = JobState::kPartial;
   EXPECT_EQ(MapOf(job, &scene)["cells"], "w-");
   job.state = JobState::kCancelled;
-  EXPECT_EQ(MapOf(job, &scene)["cells"], ".-");
+  EXPECT_EQ(MapOf(job, &scene)["cells"], "?-");
+  EXPECT_EQ(MapOf(job, &scene)["isRemembered"], false);
+  job.cells.Set({2, 0}, 'w');
+  scene.tiles.push_back({{2, 0}, "c.obj"});
+  EXPECT_EQ(MapOf(job, &scene)["cells"], ".-w");  // of this process
+  EXPECT_EQ(MapOf(job, &scene)["isRemembered"], true);
 }
 
 TEST(CellMapTest, RefusesAMapThatIsTooLarge) {

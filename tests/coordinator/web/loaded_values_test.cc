@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <semaphore>
+#include <string>
+#include <thread>
+#include <vector>
 
 namespace tilemend {
 namespace {
@@ -53,6 +57,48 @@ TEST(LoadedValuesTest, KeepsThoseThatWereAskedForLast) {
   EXPECT_EQ(**Await(values, "c", Giving(9)), 3);
   EXPECT_EQ(**Await(values, "a", Giving(9)), 1);
   EXPECT_EQ(**Await(values, "b", Giving(2)), 2);  // was dropped
+}
+
+// More callers than there is room for, each of which asks again a little later: each gets its value.
+TEST(LoadedValuesTest, GivesEachOfTooManyItsTurn) {
+  Ints values(2);
+  int calls = 0;
+  int told = 0;
+  std::vector<bool> has(5, false);
+  for (int round = 0; round < 50 && told < 5; ++round) {
+    for (int k = 0; k < 5; ++k) {
+      const Ints::Load slow = [&calls, k]() -> Ints::Result {
+        std::this_thread::sleep_for(kLoadingPatience * 2);
+        ++calls;
+        return std::make_shared<const int>(k);
+      };
+      const auto value = values.Find(std::to_string(k), slow);
+      if (!value.ok() || has[k]) continue;
+      EXPECT_EQ(**value, k);
+      has[k] = true;
+      ++told;
+    }
+  }
+  EXPECT_EQ(told, 5);
+}
+
+// What nobody has got yet makes no room, so the queue has a bound.
+TEST(LoadedValuesTest, RefusesMoreThanThereIsRoomFor) {
+  std::counting_semaphore<8> go(0);
+  std::atomic<int> calls = 0;
+  Ints values(2);
+  const Ints::Load slow = [&]() -> Ints::Result {
+    ++calls;
+    go.acquire();
+    return std::make_shared<const int>(1);
+  };
+  for (int round = 0; round < 3; ++round) {
+    for (const char* name : {"a", "b", "c", "d"}) EXPECT_TRUE(absl::IsUnavailable(values.Find(name, slow).status()));
+  }
+  go.release(8);
+  EXPECT_EQ(**Await(values, "a", slow), 1);
+  EXPECT_EQ(**Await(values, "b", slow), 1);
+  EXPECT_EQ(calls, 2);
 }
 
 TEST(LoadedValuesTest, TellsAnErrorAndLoadsAgain) {
