@@ -22,6 +22,8 @@ namespace {
 constexpr absl::Duration kPause = absl::Milliseconds(200);
 constexpr absl::Duration kLongestPause = absl::Seconds(2);
 constexpr absl::Duration kReconnectPatience = absl::Minutes(10);
+constexpr absl::Duration kConnectedAfter =
+    absl::Seconds(30);  // of a call without an answer: a job may be silent for hours
 constexpr std::chrono::seconds kCallTimeout(30);
 
 absl::Status Unreachable(const absl::Status& status, const std::string& hint) {
@@ -161,15 +163,15 @@ absl::StatusOr<v1::Job> JobClient::Watch(const std::string& name, const std::fun
   absl::Duration pause = kPause;
   while (true) {
     const uint64_t cursor = request.cursor();
+    const absl::Time begun = absl::Now();
     const absl::Status status = WatchOnce(request, show, last);
     if (IsOver(last.state())) return last;
-    if (request.cursor() != cursor) {
+    const bool was_connected = request.cursor() != cursor || absl::Now() - begun > kConnectedAfter || status.ok();
+    if (was_connected) {
       give_up = absl::Now() + reconnect_patience;
       pause = kPause;
     }
     if (status.ok()) {  // it had to make room for another watch
-      give_up = absl::Now() + reconnect_patience;
-      pause = kPause;
       absl::SleepFor(pause);
       continue;
     }

@@ -29,6 +29,8 @@ class CMakeBuild(build_ext):
             if name.endswith('.so'):
                 shutil.copy(os.path.join(PACKAGE, name), target)
                 subprocess.run(['strip', os.path.join(target, name)], check=True)
+        for name in ('LICENSE', 'NOTICE', 'THIRD_PARTY.md'):
+            shutil.copy(os.path.join(ROOT, name), target)
         for name in os.listdir(os.path.join(PACKAGE, 'v1')):
             if name.endswith('.py'):
                 shutil.copy(os.path.join(PACKAGE, 'v1', name), os.path.join(target, 'v1'))

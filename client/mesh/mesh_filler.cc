@@ -32,6 +32,7 @@ class MeshFiller {
     waves.plan = {
         options_.refine.gradation, options_.refine.size_limit, options_.refine.uniform, options.water, options.holes,
         options.water_colour};
+    waves.plan.is_cancelled = options_.refine.is_cancelled;
     waves.surface = options_.surface;
     waves.single_mesh = true;
     filled_.waves = std::make_unique<SceneWaves>(SceneOfMesh(mesh.name()), std::move(waves),
@@ -44,6 +45,7 @@ class MeshFiller {
       TILEMEND_RETURN_IF_ERROR(CheckNotCancelled());
       TILEMEND_RETURN_IF_ERROR(std::visit([this](const auto& w) { return Do(w); }, *work));
     }
+    TILEMEND_RETURN_IF_ERROR(CheckNotCancelled());  // a plan that was cancelled is empty
     SceneReportInput& report = filled_.report;
     report.plan = &filled_.waves->plan();
     report.outcome = filled_.waves->outcome();
@@ -65,7 +67,7 @@ class MeshFiller {
     WarnOfTurnedFaces();
     EndStep("read");
     show_("find holes", 0, 0);
-    return absl::OkStatus();
+    return CheckNotCancelled();
   }
 
   void WarnOfTurnedFaces() {
@@ -97,7 +99,7 @@ class MeshFiller {
     show_("weld", 0, 0);
     TILEMEND_ASSIGN_OR_RETURN(filled_.report.weld, mesh_.Weld(tolerance));
     EndStep("weld");
-    return absl::OkStatus();
+    return CheckNotCancelled();
   }
 
   absl::Status Do(const MeasureWork& work) {

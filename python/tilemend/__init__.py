@@ -9,7 +9,7 @@
 
 The page docs/python.md has more.
 """
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, List
 
 from ._adapters import fill_mesh
 from ._errors import (Cancelled, Conflict, Error, InvalidInput, JobFailed, NotAllowed, NotFound, TooMuch, Unavailable)
@@ -28,9 +28,13 @@ __all__ = ['Cancelled', 'Client', 'Conflict', 'Error', 'Filled', 'InvalidInput',
            'options', 'read_report']
 
 
-def __getattr__(name: str) -> Any:
-    """Loads gRPC when the client is first used: it takes longer than a small mesh."""
-    if name not in _OF_CLIENT:
-        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
-    import importlib
-    return getattr(importlib.import_module('.' + _OF_CLIENT[name], __name__), name)
+if not TYPE_CHECKING:  # else a checker would take any name for one that is there
+    def __getattr__(name: str) -> Any:
+        """Loads gRPC when the client is first used: it takes longer than a small mesh."""
+        if name not in _OF_CLIENT:
+            raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+        import importlib
+        return getattr(importlib.import_module('.' + _OF_CLIENT[name], __name__), name)
+
+    def __dir__() -> List[str]:
+        return sorted({*globals(), *_OF_CLIENT})

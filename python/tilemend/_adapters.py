@@ -1,7 +1,7 @@
 """Meshes of other libraries. None of them is imported unless its object comes in."""
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, Tuple
+from typing import Any, Callable, Dict, Optional, Tuple
 
 import numpy as np
 
@@ -16,7 +16,7 @@ def fill_mesh(mesh: Any, **options: Any) -> Any:
 
     Args:
         mesh: a trimesh.Trimesh, a meshio.Mesh with cells "triangle", an open3d.geometry.TriangleMesh, or a
-            pyvista.PolyData of triangles. Other cells, colours and textures are not carried over.
+            pyvista.PolyData of triangles. Other cells, other data, colours and textures are not carried over.
         **options: as for `fill`.
 
     Returns:
@@ -27,27 +27,37 @@ def fill_mesh(mesh: Any, **options: Any) -> Any:
         TypeError: it is none of these.
         As `fill`.
     """
-    library = type(mesh).__module__.split('.')[0]
-    if library not in _LIBRARIES:
-        raise TypeError(f'{type(mesh).__module__}.{type(mesh).__name__} is no mesh of trimesh, meshio, Open3D or '
-                        'PyVista; give arrays to tilemend.fill')
-    arrays, made = _LIBRARIES[library]
+    kind = _kind_of(mesh)
+    if kind is None:
+        raise TypeError(f'{type(mesh).__module__}.{type(mesh).__name__} is no trimesh.Trimesh, meshio.Mesh, '
+                        'open3d.geometry.TriangleMesh or pyvista.PolyData; give arrays to tilemend.fill')
+    arrays, made = _LIBRARIES[kind]
     return made(mesh, fill(*arrays(mesh), **options))
+
+
+def _kind_of(mesh: Any) -> Optional[Tuple[str, str]]:
+    """The row of _LIBRARIES, by the object's class or one that it is made from."""
+    for base in type(mesh).__mro__:
+        modules = base.__module__.split('.')
+        if (modules[0], base.__name__) in _LIBRARIES and 't' not in modules:  # open3d.t has tensors
+            return modules[0], base.__name__
+    return None
 
 
 def _of_trimesh(mesh: Any) -> Arrays:
     return np.asarray(mesh.vertices), np.asarray(mesh.faces)
 
 
-def _to_trimesh(mesh: Any, filled: Filled) -> Any:
-    return type(mesh)(vertices=filled.vertices, faces=filled.faces, process=False)
+def _to_trimesh(_: Any, filled: Filled) -> Any:
+    import trimesh
+    return trimesh.Trimesh(vertices=filled.vertices, faces=filled.faces, process=False)
 
 
 def _of_meshio(mesh: Any) -> Arrays:
     others = sorted({block.type for block in mesh.cells} - {'triangle', 'vertex', 'line'})
     if others:
         raise InvalidInput(f'mesh.cells: has {", ".join(others)}; expected triangles, so cut them first')
-    blocks = [block.data for block in mesh.cells if block.type == 'triangle']
+    blocks = [np.asarray(block.data).astype(np.int64) for block in mesh.cells if block.type == 'triangle']
     return mesh.points, np.concatenate(blocks) if blocks else np.zeros((0, 3), np.int64)
 
 
@@ -83,9 +93,9 @@ def _to_pyvista(_: Any, filled: Filled) -> Any:
     return made
 
 
-_LIBRARIES: Dict[str, Tuple[Callable[[Any], Arrays], Callable[[Any, Filled], Any]]] = {
-    'trimesh': (_of_trimesh, _to_trimesh),
-    'meshio': (_of_meshio, _to_meshio),
-    'open3d': (_of_open3d, _to_open3d),
-    'pyvista': (_of_pyvista, _to_pyvista),
+_LIBRARIES: Dict[Tuple[str, str], Tuple[Callable[[Any], Arrays], Callable[[Any, Filled], Any]]] = {
+    ('trimesh', 'Trimesh'): (_of_trimesh, _to_trimesh),
+    ('meshio', 'Mesh'): (_of_meshio, _to_meshio),
+    ('open3d', 'TriangleMesh'): (_of_open3d, _to_open3d),
+    ('pyvista', 'PolyData'): (_of_pyvista, _to_pyvista),
 }

@@ -17,8 +17,15 @@ from .v1 import error_info_pb2, job_spec_pb2, jobs_pb2, jobs_pb2_grpc
 
 Path = Union[str, 'os.PathLike[str]']
 
+_FIRST_PAUSE_S = 0.2
 _LONGEST_PAUSE_S = 2.0
+_CONNECTED_S = 30.0  # a call without an answer that lasts so long had a connection; a job may not change for hours
 _RECONNECT_S = 600.0  # as `tilemend watch`
+_LOST = (grpc.StatusCode.UNAVAILABLE, grpc.StatusCode.RESOURCE_EXHAUSTED)
+# As the programs have: a lost machine is noticed within half a minute, and one that is back within a second.
+_CHANNEL_OPTIONS = (('grpc.keepalive_time_ms', 20000), ('grpc.keepalive_timeout_ms', 10000),
+                    ('grpc.http2.max_pings_without_data', 0), ('grpc.initial_reconnect_backoff_ms', 100),
+                    ('grpc.min_reconnect_backoff_ms', 2000), ('grpc.max_reconnect_backoff_ms', 1000))
 _DETAILS = 'grpc-status-details-bin'
 _INFO = 'google.rpc.ErrorInfo'
 # By the type of the option's field; all others are numbers.
@@ -35,7 +42,8 @@ class Client:
         ca: PEM file with the authority that the coordinator's certificate is of. Without it and without `cert` the
             connection is plain text.
         cert, key: PEM files of this client, for mutual TLS; both or none.
-        token, token_file: who calls, in place of a certificate; at most one of the two.
+        token, token_file: who calls, in place of a certificate; at most one of the two. The file is read at each call,
+            as a token may be replaced.
         insecure: allows plain text to another machine.
         timeout: seconds that one call may take.
 
@@ -47,9 +55,10 @@ class Client:
                  key: Optional[Path] = None, token: Optional[str] = None, token_file: Optional[Path] = None,
                  insecure: bool = False, timeout: float = 30.0) -> None:
         _check_security(address, ca, cert, key, token, token_file, insecure)
+        self._token, self._token_file = token, token_file
         if token_file is not None:
-            token = _read(token_file).decode('ascii', 'replace').strip()
-        self._metadata = _token_metadata(token)
+            self._token = _read_token(token_file)
+        _token_metadata(self._token)
         self._timeout = timeout
         self._channel = _channel(address, ca, cert, key)
         self._jobs = jobs_pb2_grpc.JobsStub(self._channel)
@@ -65,12 +74,13 @@ class Client:
         """Ends the connection. Jobs go on."""
         self._channel.close()
 
-    def submit(self, scene: Path, out: Path, *, priority: int = 0, request_id: Optional[str] = None,
+    def submit(self, scene: Path, out: Optional[Path] = None, *, priority: int = 0, request_id: Optional[str] = None,
                **options: Any) -> Job:
         """Starts a job.
 
         Args:
             scene, out: paths as the coordinator and all workers see them; relative ones are of this process's folder.
+                Or s3://BUCKET/PREFIX. `out` may be left out with dry_run=True.
             priority: -100 to 100. A job of a higher one goes first.
             request_id: the same id with the same options gives the job that was made the first time.
             **options: as the flags of `tilemend run`, with _ for -. None leaves an option out. A relative pathlib.Path
@@ -78,18 +88,23 @@ class Client:
 
         Raises:
             InvalidInput: an option is wrong. NotFound: no such scene. Conflict: the output exists (OUTPUT_EXISTS), or
-            another job writes there (OUTPUT_IN_USE). TooMuch: too many jobs.
+            another job writes there (OUTPUT_IN_USE). TooMuch: too many jobs. Unavailable: whether the job was made is not
+            known; `metadata['request_id']` of the error, given as request_id, asks again for the same job.
         """
-        spec = job_spec_pb2.JobSpec(scene=os.path.abspath(os.fspath(scene)), out=os.path.abspath(os.fspath(out)))
+        spec = _request(job_spec_pb2.JobSpec, scene=_absolute(scene), out='' if out is None else _absolute(out))
         for name, value in options.items():
             _set(spec, name, value)
         request = _request(jobs_pb2.CreateJobRequest, priority=priority, request_id=request_id or str(uuid.uuid4()))
         request.spec.CopyFrom(spec)
-        return _job(self._call(self._jobs.CreateJob, request))
+        try:
+            return _job(self._call(self._jobs.CreateJob, request))
+        except Unavailable as error:
+            error.metadata['request_id'] = request.request_id
+            raise
 
     def get(self, job: Union[str, Job]) -> Job:
         """The job as it is now. NotFound if there is none."""
-        return _job(self._call(self._jobs.GetJob, jobs_pb2.GetJobRequest(name=_name(job))))
+        return _job(self._call(self._jobs.GetJob, _request(jobs_pb2.GetJobRequest, name=_name(job))))
 
     def jobs(self, states: Sequence[str] = ()) -> Iterator[Job]:
         """All jobs, newest first, or those in one of `states` ("RUNNING", ...). Asks for pages as they are needed."""
@@ -108,21 +123,27 @@ class Client:
     def watch(self, job: Union[str, Job], *, patience: float = _RECONNECT_S) -> Iterator[Job]:
         """The job now and after each change, until it is over. The last one has `is_over`.
 
-        A lost connection is made again, for `patience` seconds after the last change; then Unavailable is raised.
+        A lost connection is made again, for `patience` seconds after it was lost; then Unavailable is raised.
         """
-        request = jobs_pb2.WatchJobRequest(name=_name(job))
-        give_up, pause = time.monotonic() + patience, 0.2
+        request = _request(jobs_pb2.WatchJobRequest, name=_name(job))
+        give_up, pause = None, _FIRST_PAUSE_S  # no time to give up while there is a connection
         while True:
+            begun, metadata = time.monotonic(), self._metadata()
             try:
-                for message in self._jobs.WatchJob(request, metadata=self._metadata):
+                for message in self._jobs.WatchJob(request, metadata=metadata):
                     request.cursor = message.cursor
-                    yield _job(message)
-                    if _job(message).is_over:
+                    give_up, pause = None, _FIRST_PAUSE_S
+                    state = _job(message)
+                    yield state
+                    if state.is_over:
                         return
-                    give_up, pause = time.monotonic() + patience, 0.2
+            except ValueError:
+                raise _closed() from None
             except grpc.RpcError as error:
-                if error.code() not in (grpc.StatusCode.UNAVAILABLE, grpc.StatusCode.RESOURCE_EXHAUSTED) or \
-                        time.monotonic() + pause > give_up:
+                now = time.monotonic()
+                if give_up is None or now - begun > _CONNECTED_S:
+                    give_up = now + patience
+                if error.code() not in _LOST or now + pause > give_up:
                     raise _error(error) from None
             time.sleep(pause)
             pause = min(2 * pause, _LONGEST_PAUSE_S)
@@ -141,15 +162,15 @@ class Client:
 
     def cancel(self, job: Union[str, Job]) -> Job:
         """Ends a job. Conflict (JOB_OVER) if it is over."""
-        return _job(self._call(self._jobs.CancelJob, jobs_pb2.CancelJobRequest(name=_name(job))))
+        return _job(self._call(self._jobs.CancelJob, _request(jobs_pb2.CancelJobRequest, name=_name(job))))
 
     def pause(self, job: Union[str, Job]) -> Job:
         """Gives out no task of the job until `resume`."""
-        return _job(self._call(self._jobs.PauseJob, jobs_pb2.PauseJobRequest(name=_name(job))))
+        return _job(self._call(self._jobs.PauseJob, _request(jobs_pb2.PauseJobRequest, name=_name(job))))
 
     def resume(self, job: Union[str, Job]) -> Job:
         """Goes on with a paused job."""
-        return _job(self._call(self._jobs.ResumeJob, jobs_pb2.ResumeJobRequest(name=_name(job))))
+        return _job(self._call(self._jobs.ResumeJob, _request(jobs_pb2.ResumeJobRequest, name=_name(job))))
 
     def prioritize(self, job: Union[str, Job], priority: int) -> Job:
         """Gives a job another priority, -100 to 100."""
@@ -173,10 +194,29 @@ class Client:
             request.page_token = page.next_page_token
 
     def _call(self, method: Any, request: Any) -> Any:
+        metadata = self._metadata()
         try:
-            return method(request, timeout=self._timeout, metadata=self._metadata)
+            return method(request, timeout=self._timeout, metadata=metadata)
         except grpc.RpcError as error:
             raise _error(error) from None
+        except ValueError:
+            raise _closed() from None
+
+    def _metadata(self) -> Tuple[Tuple[str, str], ...]:
+        """The token as its file has it now. One that is being replaced, or is gone, changes nothing."""
+        if self._token_file is not None:
+            try:
+                token = _read_token(self._token_file)
+                _token_metadata(token)
+                self._token = token
+            except InvalidInput:
+                pass
+        return _token_metadata(self._token)
+
+
+def _closed() -> Error:
+    """In place of the ValueError that grpc raises."""
+    return InvalidInput('the client is closed')
 
 
 def _job(job: Any) -> Job:
@@ -204,12 +244,13 @@ def _assign(message: Any, name: str, value: Any) -> None:
         setattr(message, name, value)
     except TypeError as error:
         raise TypeError(f'{name}: {error}') from None
-    except ValueError as error:
+    except ValueError as error:  # and UnicodeEncodeError
         raise InvalidInput(f'{name}: {error}') from None
 
 
 def _set(spec: Any, name: str, value: Any) -> None:
     """Sets an option. None leaves it out, and a pathlib.Path is of this process's folder."""
+    value = value.item() if type(value).__module__ == 'numpy' and hasattr(value, 'item') else value
     field = spec.DESCRIPTOR.fields_by_name.get(name)
     if field is None or name in ('scene', 'out'):
         raise InvalidInput(f'{name}: there is no such option', 'INVALID_SPEC', {'field': name})
@@ -218,7 +259,7 @@ def _set(spec: Any, name: str, value: Any) -> None:
     kind, expected = _KINDS_OF_OPTIONS.get(field.cpp_type, (numbers.Real, 'a number'))
     if not isinstance(value, kind) or isinstance(value, bool) != (kind is bool):
         raise TypeError(f'{name}: has type {type(value).__name__}; expected {expected}')
-    _assign(spec, name, os.path.abspath(value) if isinstance(value, os.PathLike) else value)
+    _assign(spec, name, _absolute(value) if isinstance(value, os.PathLike) else value)
 
 
 def _info_of(status: Any) -> Optional[Any]:
@@ -231,8 +272,6 @@ def _info_of(status: Any) -> Optional[Any]:
 def _error(error: Any) -> Error:
     """The exception of a failed call, with the reason that its trailer has."""
     code, text = error.code(), error.details() or ''
-    if code == grpc.StatusCode.UNAVAILABLE:
-        text = f'cannot reach the coordinator; is it running, and are address, ca, cert and key right? ({text})'
     if code == grpc.StatusCode.DEADLINE_EXCEEDED:
         return Unavailable(f'the coordinator did not answer in time ({text})')
     for key, value in error.trailing_metadata() or ():
@@ -240,6 +279,8 @@ def _error(error: Any) -> Error:
             info = _info_of(error_info_pb2.Status.FromString(value))
             if info:
                 return from_status(code.value[0], text, info.reason, dict(info.metadata))
+    if code == grpc.StatusCode.UNAVAILABLE:
+        text = f'cannot reach the coordinator; is it running, and are address, ca, cert and key right? ({text})'
     return from_status(code.value[0], text, '')
 
 
@@ -278,6 +319,20 @@ def _token_metadata(token: Optional[str]) -> Tuple[Tuple[str, str], ...]:
     return (('authorization', f'Bearer {token}'),)
 
 
+def _absolute(path: Path) -> str:
+    """A path of this process's folder as others see it; s3:// and the like stay."""
+    text = os.fspath(path)
+    if not isinstance(text, str):
+        raise TypeError(f'path: has type {type(text).__name__}; expected text')
+    if text.startswith('s3:/') and not text.startswith('s3://'):
+        raise InvalidInput(f'{text}: a pathlib.Path has no s3://; give text')
+    return text.rstrip('/') if '://' in text else os.path.abspath(text)
+
+
+def _read_token(path: Path) -> str:
+    return _read(path).decode('ascii', 'replace').strip()
+
+
 def _read(path: Path) -> bytes:
     try:
         with open(path, 'rb') as file:
@@ -288,6 +343,6 @@ def _read(path: Path) -> bytes:
 
 def _channel(address: str, ca: Optional[Path], cert: Optional[Path], key: Optional[Path]) -> Any:
     if ca is None and cert is None:
-        return grpc.insecure_channel(address)
+        return grpc.insecure_channel(address, _CHANNEL_OPTIONS)
     credentials = grpc.ssl_channel_credentials(*(None if path is None else _read(path) for path in (ca, key, cert)))
-    return grpc.secure_channel(address, credentials)
+    return grpc.secure_channel(address, credentials, _CHANNEL_OPTIONS)

@@ -23,7 +23,10 @@ def write_decisions(report: Dict[str, Any], outlines: str, path: Union[str, 'os.
     marks: Dict[int, Optional[Dict[str, Any]]] = {}
     for hole, decision in dict(decisions).items():
         mark = _properties(hole, decision)
-        marks.update((other, mark) for other in _group(report, hole))
+        for other in _group(report, hole):
+            if marks.setdefault(other, mark) != mark:
+                raise InvalidInput(f'decisions: hole {hole} and another hole of its group have different decisions; '
+                                   'they belong together, so give one')
     features, without = [], set(marks)
     for feature in collection['features']:
         properties = feature['properties']
@@ -37,8 +40,12 @@ def write_decisions(report: Dict[str, Any], outlines: str, path: Union[str, 'os.
     if without:
         raise InvalidInput(f'decisions: {os.path.basename(outlines)} has no polygon of hole '
                            f'{", ".join(map(str, sorted(without)))}, so nothing can be decided on it')
-    with open(path, 'w', encoding='utf-8') as file:
-        json.dump(dict(collection, features=features), file)
+    text = json.dumps(dict(collection, features=features))
+    try:
+        with open(path, 'w', encoding='utf-8') as file:
+            file.write(text)
+    except OSError as error:
+        raise InvalidInput(f'{os.fsdecode(path)}: cannot be written: {error.strerror}') from None
 
 
 def _read(path: str) -> Dict[str, Any]:
@@ -57,11 +64,14 @@ def _properties(hole: int, decision: Decision) -> Optional[Dict[str, Any]]:
     if decision is None:
         return None
     kind, level = decision if isinstance(decision, tuple) and len(decision) == 2 else (decision, None)
-    is_level = level is None or isinstance(level, numbers.Real) and math.isfinite(level) and kind == 'water'
+    is_level = level is None or isinstance(level, numbers.Real) and abs(level) < math.inf and kind == 'water'
     if kind not in _KINDS or not is_level:
         raise InvalidInput(f'decisions[{hole}] is {decision!r}: expected {", ".join(_KINDS)}, None, or ("water", LEVEL) '
                            'with a finite number')
-    return {'decision': kind, 'level_m': None if level is None else float(level)}
+    try:
+        return {'decision': kind, 'level_m': None if level is None else float(level)}
+    except OverflowError:
+        raise InvalidInput(f'decisions[{hole}]: the level is too large') from None
 
 
 def _earlier(properties: Dict[str, Any]) -> Optional[Dict[str, Any]]:

@@ -1,7 +1,10 @@
 """Exceptions. Each has the text for people and, where there is one, a reason for programs."""
 from __future__ import annotations
 
-from typing import Dict, Optional, Type
+from typing import TYPE_CHECKING, Dict, Optional, Type
+
+if TYPE_CHECKING:
+    from ._jobs import Job
 
 
 class Error(Exception):
@@ -53,7 +56,7 @@ class JobFailed(Error):
         job: the job as it ended (tilemend.Job).
     """
 
-    job: object = None
+    job: 'Job'
 
 
 # By google.rpc.Code, which absl::StatusCode and grpc.StatusCode share.

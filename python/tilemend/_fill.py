@@ -117,7 +117,7 @@ def _faces(given: ArrayLike) -> NDArray[Any]:
 def _array(name: str, given: ArrayLike, dtype: Any) -> NDArray[Any]:
     try:
         array = np.asarray(given, dtype)
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise TypeError(f'{name}: cannot be made an array of shape (n, 3): {error}') from None
     if array.ndim == 0:
         raise TypeError(f'{name}: has type {type(given).__name__}; expected an array of shape (n, 3)')
@@ -143,10 +143,12 @@ def _texts(given: Dict[str, Any]) -> Dict[str, str]:
             continue
         if value is True:
             texts[name] = 'true'
-        elif isinstance(value, (int, float)):
-            texts[name] = repr(value)
+        elif isinstance(value, int):
+            texts[name] = repr(int(value))
+        elif isinstance(value, float):
+            texts[name] = repr(float(value))
         elif isinstance(value, (str, os.PathLike)):
-            texts[name] = os.fspath(value)
+            texts[name] = os.fsdecode(value)
         else:
             raise TypeError(f'{name}: has type {type(value).__name__}; expected a number, text, a path, True or False')
         if not texts[name].isascii() and texts[name] != texts[name].encode(errors='replace').decode():

@@ -93,14 +93,19 @@ def job_of(job: Any, reason: str) -> Job:
     """Of a v1.Job; `reason` is that of its error."""
     p = job.progress
     progress = Progress(p.phase, p.cells, p.cells_done, p.holes, p.holes_filled, p.triangles, p.tasks, p.tasks_done)
-    return Job(job.name, jobs_pb2.JobState.Name(job.state), job.spec.scene, job.spec.out, progress,
+    return Job(job.name, _word(jobs_pb2.JobState, job.state), job.spec.scene, job.spec.out, progress,
                job.error.message or job.message, reason, job.report, job.waiting, job.priority, job.paused,
                tuple(job.warnings), _time(job, 'create_time'), _time(job, 'end_time'), job.cursor)
 
 
 def worker_of(worker: Any) -> Worker:
     """Of a v1.WorkerInfo."""
-    return Worker(worker.id, jobs_pb2.WorkerState.Name(worker.state), worker.threads, worker.tasks, worker.message)
+    return Worker(worker.id, _word(jobs_pb2.WorkerState, worker.state), worker.threads, worker.tasks, worker.message)
+
+
+def _word(kind: Any, value: int) -> str:
+    """The name of a state. A newer coordinator may have one that is not known here."""
+    return str(kind.Name(value)) if value in kind.values() else f'STATE_{value}'
 
 
 def _time(job: Any, name: str) -> Optional[datetime]:

@@ -7,10 +7,11 @@ from dataclasses import dataclass, field
 from typing import Any, Dict, List, Mapping, Optional, Union
 
 from ._decisions import Decision, write_decisions
-from ._errors import InvalidInput, NotFound
+from ._errors import InvalidInput, NotAllowed, NotFound
 
 _LISTS = ('per_hole', 'left', 'warnings', 'water', 'look_at')
 _NEWER_LISTS = ('review', 'water_areas', 'not_holes', 'tension', 'levels')  # not in reports of every release
+_COLUMNS = ('area_m2', 'outcome', 'taken_for', 'x', 'y', 'z', 'column', 'row')  # of a table without rows
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +36,7 @@ class Report:
 
     @property
     def water(self) -> List[Dict[str, Any]]:
-        """What was filled flat: `kind`, `level_m` (metres), `sigma_m`, `area_m2`, ..."""
+        """What was filled flat: `kind`, `level_m` (metres above the scene's origin), `sigma_m`, `area_m2`, ..."""
         return self._rows('water')
 
     @property
@@ -86,7 +87,8 @@ class Report:
         return list(self.data.get(name) or [])
 
     def holes_table(self) -> Any:
-        """The holes as a pandas.DataFrame indexed by `id`; centres as columns `x` and `y` in metres. Needs pandas."""
+        """The holes as a pandas.DataFrame indexed by `id`; centres as columns `x`, `y` and, of holes over no
+        horizontal plane, `z` in metres. Needs pandas."""
         return table_of(self.holes)
 
     def review_table(self) -> Any:
@@ -134,9 +136,12 @@ def read_report(path: Union[str, 'os.PathLike[str]']) -> Report:
 
     Raises:
         NotFound: there is no such file: the output is not complete, or not there.
+        NotAllowed: the file may not be read.
         InvalidInput: it is no report.
     """
     name = os.fsdecode(path)
+    if '\0' in name:
+        raise InvalidInput(f'{name!r}: is no path')
     if os.path.isdir(name):
         name = os.path.join(name, 'report.json')
     try:
@@ -144,6 +149,10 @@ def read_report(path: Union[str, 'os.PathLike[str]']) -> Report:
             data = json.load(file)
     except FileNotFoundError:
         raise NotFound(f'{name}: no such file; an output without it is not complete') from None
+    except PermissionError:
+        raise NotAllowed(f'{name}: may not be read by this user') from None
+    except OSError as error:
+        raise InvalidInput(f'{name}: cannot be read: {error.strerror}') from None
     except (UnicodeDecodeError, json.JSONDecodeError, RecursionError) as error:
         raise InvalidInput(f'{name}: is not JSON: {error}') from None
     missing = _missing(data)
@@ -170,8 +179,10 @@ def table_of(holes: List[Dict[str, Any]], index: str = 'id') -> Any:
     rows = []
     for hole in holes:
         row = {key: value for key, value in hole.items() if key not in ('centre', 'cell', 'water')}
-        row['x'], row['y'] = (list(hole.get('centre') or []) + [None, None])[:2]
+        row['x'], row['y'], row['z'] = (list(hole.get('centre') or []) + [None] * 3)[:3]
         row['column'], row['row'] = (list(hole.get('cell') or []) + [None, None])[:2]
+        if isinstance(row.get('level_m'), list):  # of a river: its upper and lower end
+            row['level_m'], row['lower_level_m'] = row['level_m']
         row.setdefault('taken_for', (hole.get('water') or {}).get('taken_for'))
         rows.append(row)
-    return pandas.DataFrame(rows, columns=None if rows else [index]).set_index(index)
+    return pandas.DataFrame(rows, columns=None if rows else [index, *_COLUMNS]).set_index(index)

@@ -8,12 +8,18 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
+from concurrent import futures
+
+import grpc
+import numpy as np
 
 BIN, PACKAGE = sys.argv[1:3] if len(sys.argv) > 2 else (None, None)
 sys.path.insert(0, PACKAGE)
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 import tilemend  # noqa: E402
+from tilemend.v1 import jobs_pb2, jobs_pb2_grpc  # noqa: E402
 
 
 class Cluster:
@@ -188,6 +194,74 @@ class ClientTest(unittest.TestCase):
                 list(client.jobs())
             with self.assertRaisesRegex(ConnectionError, 'cannot reach'):
                 next(client.watch('none', patience=0.5))
+
+
+class Coordinator(jobs_pb2_grpc.JobsServicer):
+    """Answers in place of the program, and keeps who called."""
+
+    def __init__(self, test):
+        self.test, self.callers, self.watches, self.specs = test, [], 0, []
+        server = grpc.server(futures.ThreadPoolExecutor(4))
+        jobs_pb2_grpc.add_JobsServicer_to_server(self, server)
+        self.address = f'127.0.0.1:{server.add_insecure_port("127.0.0.1:0")}'
+        server.start()
+        test.addCleanup(server.stop, 0)
+
+    def WatchJob(self, request, context):
+        self.watches += 1
+        if self.watches == 1:
+            yield jobs_pb2.Job(name=request.name, state=jobs_pb2.RUNNING, cursor=1)
+            time.sleep(1.5)
+            context.abort(grpc.StatusCode.UNAVAILABLE, 'it ends')
+        yield jobs_pb2.Job(name=request.name, state=jobs_pb2.DONE, cursor=2)
+
+    def ListJobs(self, request, context):
+        self.callers.append(dict(context.invocation_metadata()).get('authorization'))
+        return jobs_pb2.ListJobsResponse()
+
+    def CreateJob(self, request, context):
+        self.specs.append(request.spec)
+        return jobs_pb2.Job(name='jobs/a', state=jobs_pb2.RUNNING, spec=request.spec)
+
+
+class CallsTest(unittest.TestCase):
+    def test_patience_begins_when_the_connection_is_lost(self):
+        coordinator = Coordinator(self)
+        with tilemend.Client(coordinator.address) as client:
+            self.assertEqual([job.state for job in client.watch('a', patience=1)], ['RUNNING', 'DONE'])
+
+    def test_a_token_may_be_replaced(self):
+        coordinator = Coordinator(self)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, 'token')
+            for word in ('first', 'second'):
+                pathlib.Path(path).write_text(word)
+                if word == 'first':
+                    client = tilemend.Client(coordinator.address, token_file=path)
+                list(client.jobs())
+        list(client.jobs())  # the file is gone
+        client.close()
+        self.assertEqual(coordinator.callers, ['Bearer first', 'Bearer second', 'Bearer second'])
+
+    def test_a_closed_client_says_so(self):
+        client = tilemend.Client('127.0.0.1:9')
+        client.close()
+        for call in (client.jobs, lambda: client.watch('a')):
+            with self.assertRaisesRegex(tilemend.InvalidInput, 'the client is closed'):
+                list(call())
+
+    def test_paths_in_s3_stay(self):
+        coordinator = Coordinator(self)
+        with tilemend.Client(coordinator.address) as client:
+            client.submit('s3://city/tiles/', 'out')
+            with self.assertRaisesRegex(tilemend.InvalidInput, 'give text'):
+                client.submit(pathlib.Path('s3://city/tiles'), 'out')
+            client.submit('/scene', dry_run=np.bool_(True))
+            with self.assertRaises(tilemend.InvalidInput):
+                client.submit('/a\udcff', '/out')
+        self.assertEqual((coordinator.specs[1].out, coordinator.specs[1].dry_run), ('', True))
+        self.assertEqual(coordinator.specs[0].scene, 's3://city/tiles')
+        self.assertEqual(coordinator.specs[0].out, os.path.abspath('out'))
 
 
 class SecurityTest(unittest.TestCase):
