@@ -8,6 +8,7 @@
 #include "common/codec/ply_colours.h"
 #include "common/codec/tree/tile_tree.h"
 #include "common/util/status_macros.h"
+#include "common/util/text.h"
 #include "worker/ground/lowest_surface.h"
 #include "worker/materials/rim_colours.h"
 #include "worker/materials/tile_look.h"
@@ -52,6 +53,12 @@ absl::StatusOr<LookSurvey> SurveyPly(const std::string& root, const std::string&
   return survey;
 }
 
+std::string MissingText(const std::string& name, const std::vector<std::string>& missing) {
+  return absl::StrCat(name, ": ", missing.size(), " files that it names are not there, \"",
+                      Printable(Shortened(missing.front(), 80)), "\" ", missing.size() > 1 ? "the first; " : "; ",
+                      "what they show is taken as it is one level coarser, or as missing");
+}
+
 absl::StatusOr<LookSurvey> SurveyTree(const std::string& path, std::string_view pack, const std::string& name,
                                       const SurveyChoice& choice) {
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(MeshFormat::kTileTree, pack, name, choice.no_faces));
@@ -63,6 +70,7 @@ absl::StatusOr<LookSurvey> SurveyTree(const std::string& path, std::string_view 
   RimColours sampled = SampleTreeRim(tile, finest, spots, survey.record.vertices.size(), name);
   survey.record.colours = std::move(sampled.colours);
   for (std::string& warning : sampled.warnings) survey.files.warnings.push_back(std::move(warning));
+  if (!tile.missing.empty()) survey.files.warnings.push_back(MissingText(name, tile.missing));
   return survey;
 }
 

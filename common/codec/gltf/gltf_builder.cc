@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/util/status_macros.h"
+#include "common/util/texture_wrap.h"
 
 namespace tilemend {
 namespace {
@@ -121,8 +122,10 @@ int64_t GltfBuilder::AddTexture(const GltfPatch& patch) {
   OrderedJson image = {{"bufferView", AddView(patch.image, 0)}, {"mimeType", MimeType(patch.image)}};
   if (!patch.image_name.empty()) image["name"] = patch.image_name;
   const int64_t source = Append("images", std::move(image));
+  constexpr int kClampToEdge = 33071, kRepeat = 10497;
+  const int wrap = RepeatsImage(patch.uv) ? kRepeat : kClampToEdge;
   const int64_t sampler =
-      Append("samplers", {{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", 33071}, {"wrapT", 33071}});
+      Append("samplers", {{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", wrap}, {"wrapT", wrap}});
   return Append("textures", {{"sampler", sampler}, {"source", source}});
 }
 

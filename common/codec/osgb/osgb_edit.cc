@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/osgb/osgb_encode.h"
@@ -24,7 +26,7 @@ absl::Status CheckPatch(const OsgbLayout& layout, const OsgbPatch& patch, size_t
   }
   const auto geode = static_cast<size_t>(patch.geode);
   if (!layout.geodes[geode].has_list)
-    return OsgbPatchError(name, index, absl::StrCat("osg::Geode ", geode, " is empty"));
+    return OsgbPatchError(name, index, absl::StrCat("osg::Geode ", geode, " is empty, or a child of an osg::PagedLOD"));
   return CheckOsgbPatch(patch, layout.file.geodes[geode].translation, index, name);
 }
 
@@ -81,7 +83,11 @@ absl::StatusOr<std::string> AppendOsgb(std::string_view bytes, std::span<const O
   for (size_t i = 0; i < patches.size(); ++i) TILEMEND_RETURN_IF_ERROR(CheckPatch(layout, patches[i], i, name));
   std::vector<size_t> order(patches.size());
   std::iota(order.begin(), order.end(), size_t{0});
-  std::ranges::stable_sort(order, {}, [&](size_t i) { return patches[i].geode; });
+  // By place. Lists may end at one place; then what goes into the inner one, which begins later, comes first.
+  std::ranges::stable_sort(order, {}, [&](size_t i) {
+    const OsgbGeodeSite& site = layout.geodes[static_cast<size_t>(patches[i].geode)];
+    return std::pair(site.end_offset, std::numeric_limits<size_t>::max() - site.count_offset);
+  });
   std::vector<uint32_t> added(layout.geodes.size());
   OsgbEncoding encoding{.version = layout.file.version,
                         .bracket_bytes = layout.bracket_bytes,

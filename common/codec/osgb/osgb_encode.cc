@@ -9,6 +9,7 @@
 
 #include "common/codec/osgb/osgb_encoder.h"
 #include "common/codec/osgb/osgb_parse.h"
+#include "common/util/texture_wrap.h"
 
 namespace tilemend {
 namespace {
@@ -16,6 +17,7 @@ namespace {
 constexpr uint32_t kGlTriangles = 4;
 constexpr uint32_t kGlTexture2d = 0x0de1;
 constexpr uint32_t kGlClampToEdge = 0x812f;
+constexpr uint32_t kGlRepeat = 0x2901;
 constexpr uint32_t kGlLinear = 0x2601;
 constexpr uint32_t kGlOff = 0x1603;  // osg::Material::OFF
 constexpr uint32_t kGlLessOrEqual = 0x0203;
@@ -68,7 +70,8 @@ void EncodeImage(const OsgbPatch& patch, OsgbEncoder& out) {
 void EncodeTexture(const OsgbPatch& patch, OsgbEncoder& out) {
   out.BeginObject("osg::Texture2D");
   out.Zeros(2);  // no callbacks
-  for (const uint32_t value : {kGlClampToEdge, kGlClampToEdge, kGlClampToEdge, kGlLinear, kGlLinear}) {
+  const uint32_t wrap = RepeatsImage(patch.uv) ? kGlRepeat : kGlClampToEdge;
+  for (const uint32_t value : {wrap, wrap, wrap, kGlLinear, kGlLinear}) {
     out.Flag(true);
     out.U32(value);
   }

@@ -19,24 +19,39 @@ struct Inherited {
   int32_t paged_lod = -1;
 };
 
-void ReadNode(OsgbParse& parse, Inherited inherited);
+// Adds a geode, whose drawables are at no known place yet.
+int32_t AddGeode(OsgbLayout& layout, const Inherited& inherited) {
+  layout.file.geodes.push_back({.paged_lod = inherited.paged_lod});
+  layout.geodes.emplace_back();
+  return static_cast<int32_t>(layout.geodes.size()) - 1;
+}
 
-void ReadChildren(OsgbParse& parse, const Inherited& inherited) {
+// `geode`: that of the geometries among the children of one node, -1 as long as there is none.
+void ReadNode(OsgbParse& parse, Inherited inherited, int32_t& geode);
+
+enum class Growth { kNone, kAtTheEnd };
+
+// Since version 154 a geometry may be a child like any other. Those of one node count as a geode, which takes new ones
+// at the end of the children. Those of a PagedLOD take none: each child there has a range and a file.
+void ReadChildren(OsgbParse& parse, const Inherited& inherited, Growth growth = Growth::kAtTheEnd) {
   OsgbCursor& cursor = parse.cursor;
   if (!cursor.Flag("children")) return;
+  OsgbGeodeSite site{.has_list = true, .count_offset = cursor.offset()};
   const uint32_t count = cursor.Count(kMinObjectBytes, "children");
   if (count == 0) return;
   cursor.Begin("children");
-  for (uint32_t i = 0; i < count && cursor.ok(); ++i) ReadNode(parse, inherited);
+  int32_t geode = -1;
+  for (uint32_t i = 0; i < count && cursor.ok(); ++i) ReadNode(parse, inherited, geode);
+  site.bracket = cursor.bracket();
+  site.end_offset = cursor.offset();
   cursor.End("children");
+  if (geode >= 0 && growth == Growth::kAtTheEnd) parse.layout.geodes[static_cast<size_t>(geode)] = site;
 }
 
 void ReadGeode(OsgbParse& parse, const Inherited& inherited) {
   OsgbCursor& cursor = parse.cursor;
   OsgbLayout& layout = parse.layout;
-  const auto index = static_cast<int32_t>(layout.geodes.size());
-  layout.file.geodes.push_back({.paged_lod = inherited.paged_lod});
-  layout.geodes.emplace_back();
+  const int32_t index = AddGeode(layout, inherited);
   OsgbGeodeSite site{.has_list = cursor.Flag("drawables"), .count_offset = cursor.offset()};
   if (!site.has_list) return;
   const uint32_t count = cursor.Count(kMinObjectBytes, "drawables");
@@ -101,7 +116,7 @@ void ReadPagedLod(OsgbParse& parse, Inherited inherited) {
   if (cursor.Flag("file names")) ReadFileNames(cursor, lod);
   inherited.paged_lod = static_cast<int32_t>(parse.layout.file.paged_lods.size());
   parse.layout.file.paged_lods.push_back(std::move(lod));
-  ReadChildren(parse, inherited);
+  ReadChildren(parse, inherited, Growth::kNone);
 }
 
 // The translation of a MatrixTransform; fails for any other transform.
@@ -134,7 +149,7 @@ void ReadMatrixTransform(OsgbParse& parse, const Inherited& inherited) {
   for (size_t i = lods; i < file.paged_lods.size(); ++i) file.paged_lods[i].center += translation;
 }
 
-void ReadNode(OsgbParse& parse, Inherited inherited) {
+void ReadNode(OsgbParse& parse, Inherited inherited, int32_t& geode) {
   OsgbCursor& cursor = parse.cursor;
   const OsgbHead head = BeginOsgbObject(parse);
   if (!cursor.ok() || head.class_name == "NULL") return;
@@ -143,7 +158,8 @@ void ReadNode(OsgbParse& parse, Inherited inherited) {
     return cursor.Fail(absl::StrCat("an ", std::string(head.class_name), " with several parents is not supported"));
   }
   if (head.class_name == "osg::Geometry") {
-    ReadOsgbGeometry(parse, -1, inherited.look);
+    if (geode < 0) geode = AddGeode(parse.layout, inherited);
+    ReadOsgbGeometry(parse, geode, inherited.look);
     return EndOsgbObject(parse, head, -1);
   }
   ReadOsgbObjectFields(parse);
@@ -195,7 +211,8 @@ void ReadHeader(OsgbParse& parse) {
 absl::StatusOr<OsgbLayout> ParseOsgb(std::string_view bytes, const std::string& name) {
   OsgbParse parse(bytes, name);
   ReadHeader(parse);
-  ReadNode(parse, {});
+  int32_t geode = -1;
+  ReadNode(parse, {}, geode);
   if (parse.cursor.remaining() != 0) {
     parse.cursor.Fail(absl::StrCat(parse.cursor.remaining(), " bytes follow the end of the scene"));
   }

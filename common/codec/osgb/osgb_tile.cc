@@ -1,9 +1,12 @@
 #include "common/codec/osgb/osgb_tile.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <map>
 #include <utility>
 
 #include "absl/status/status.h"
+#include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
@@ -53,6 +56,21 @@ class TreeReader {
   }
 
  private:
+  // The file of the pack that a child names, -1 if there is none. Programs write ".\\X" and "../TILE/X" for X as well,
+  // and names whose case is another than on disk, where file systems do not tell.
+  int32_t FileOf(const OsgbChild& child) const {
+    std::string path = child.file;
+    std::replace(path.begin(), path.end(), '\\', '/');
+    path = std::filesystem::path(path).lexically_normal().string();
+    const std::string folder = std::filesystem::path(name_).parent_path().filename().string();
+    const std::string above = absl::StrCat("../", folder, "/");
+    if (absl::StartsWith(path, above)) path = path.substr(above.size());
+    if (const auto at = file_at_.find(path); at != file_at_.end()) return at->second;
+    const auto at = std::find_if(file_at_.begin(), file_at_.end(),
+                                 [&](const auto& file) { return absl::EqualsIgnoreCase(file.first, path); });
+    return at == file_at_.end() ? -1 : at->second;
+  }
+
   absl::Status Read(int32_t f, std::vector<int32_t>& finer) {
     const PackedFile& packed = tile_.packed[f];
     TILEMEND_ASSIGN_OR_RETURN(tile_.files[f], ReadOsgb(packed.bytes, NameOf(packed, name_)));
@@ -62,15 +80,16 @@ class TreeReader {
     for (const OsgbPagedLod& lod : file.paged_lods) {
       bool found = false;
       for (const OsgbChild& child : lod.children) {
-        const auto at = file_at_.find(child.file);
-        if (child.file.empty() || at == file_at_.end()) continue;
-        if (is_named_[at->second]) {
+        const int32_t at = FileOf(child);
+        if (at < 0 && !child.file.empty()) tile_.missing.push_back(child.file);
+        if (at < 0) continue;
+        if (is_named_[at]) {
           return absl::InvalidArgumentError(absl::StrCat(NameOf(packed, name_), ": the finer file \"",
                                                          Printable(child.file), "\" is named for the second time"));
         }
-        is_named_[at->second] = true;
-        finer.push_back(at->second);
-        finer_of[has_finer.size()].push_back(at->second);
+        is_named_[at] = true;
+        finer.push_back(at);
+        finer_of[has_finer.size()].push_back(at);
         found = true;
       }
       has_finer.push_back(found);

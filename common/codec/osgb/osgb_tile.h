@@ -24,15 +24,16 @@ struct OsgbPiece {
 };
 
 struct OsgbTile {
-  std::vector<PackedFile> packed;  // the tile's own file first
-  std::vector<OsgbFile> files;     // as many; empty where no file that is shown names it
-  std::vector<OsgbPiece> pieces;   // level by level, in the order of the files that name them
-  int32_t levels = 0;              // of the deepest piece, plus 1
+  std::vector<PackedFile> packed;         // the tile's own file first
+  std::vector<OsgbFile> files;            // as many; empty where no file that is shown names it
+  std::vector<OsgbPiece> pieces;          // level by level, in the order of the files that name them
+  int32_t levels = 0;                     // of the deepest piece, plus 1
+  std::vector<std::string> missing = {};  // finer files that are named and not in the pack
 };
 
-// Reads a tile from its pack (common/util/file_pack.h). Files that it names but that are not in the pack are left out,
-// as viewers do; so are files that nothing names. Returns kInvalidArgument with file and byte offset as ReadOsgb. The
-// same if a file is named twice, or no file has a vertex. Linear in the bytes.
+// Reads a tile from its pack (common/util/file_pack.h). Files that it names but that are not in the pack are left
+// out, as viewers do, and told in `missing`; so are files that nothing names. Returns kInvalidArgument with file and
+// byte offset as ReadOsgb. The same if a file is named twice, or no file has a vertex. Linear in the bytes.
 absl::StatusOr<OsgbTile> ReadOsgbTile(std::string_view pack, const std::string& name);
 
 // What is done to one file of a tile.

@@ -129,6 +129,10 @@ absl::StatusOr<TilesetTree> ReadTilesetTree(std::string_view pack, const std::st
   const std::vector<PlacedModel> models = ModelsOf(tileset, tree.packed);
   const std::vector<bool> below = HaveModelsBelow(tileset, models);
   std::vector<int32_t> model_of(tileset.tiles.size(), -1);
+  const FileNumbers numbers = NumbersOf(tree.packed);
+  for (const TilesetTile& tile : tileset.tiles) {
+    if (!tile.content.empty() && !numbers.contains(tile.content)) tree.missing.push_back(tile.content);
+  }
   bool is_empty = true;
   for (const PlacedModel& placed : models) {
     const PackedFile& file = tree.packed[static_cast<size_t>(placed.file)];

@@ -23,14 +23,15 @@ struct TilesetModel {
 };
 
 struct TilesetTree {
-  std::vector<PackedFile> packed;    // the tileset's entry first; names are relative to its folder
-  std::vector<TilesetModel> models;  // parents before children
-  int32_t levels = 0;                // of the deepest model, plus 1
+  std::vector<PackedFile> packed;         // the tileset's entry first; names are relative to its folder
+  std::vector<TilesetModel> models;       // parents before children
+  int32_t levels = 0;                     // of the deepest model, plus 1
+  std::vector<std::string> missing = {};  // models that are named and not in the pack
 };
 
 // Reads a tileset and its models from a pack (common/util/file_pack.h) whose first file is its entry. Models that are
-// not in the pack are left out, as viewers do; so are files that nothing names. Errors of ReadTileset, ReadGltf and
-// UnpackFiles; kInvalidArgument if no model has a vertex. Linear in the bytes.
+// not in the pack are left out, as viewers do, and told in `missing`; so are files that nothing names. Errors of
+// ReadTileset, ReadGltf and UnpackFiles; kInvalidArgument if no model has a vertex. Linear in the bytes.
 absl::StatusOr<TilesetTree> ReadTilesetTree(std::string_view pack, const std::string& name);
 
 // What is done to one file of the pack.

@@ -50,6 +50,7 @@ absl::StatusOr<TileTree> ReadOsgbTree(std::string_view pack, const std::string& 
   for (const OsgbPiece& p : tile.pieces)
     tree.pieces.push_back({p.file, p.geode, p.level, p.is_finest, p.parent, p.geometric_error});
   tree.levels = tile.levels;
+  tree.missing = std::move(tile.missing);
   return tree;
 }
 
@@ -76,6 +77,7 @@ absl::StatusOr<TileTree> ReadModelTree(std::string_view pack, const std::string&
   }
   tree.packed = std::move(tile.packed);
   tree.levels = tile.levels;
+  tree.missing = std::move(tile.missing);
   return tree;
 }
 

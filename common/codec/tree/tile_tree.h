@@ -53,10 +53,11 @@ struct TreePiece {
 };
 
 struct TileTree {
-  std::vector<PackedFile> packed;  // the tile's own file first
-  std::vector<TreeFile> files;     // as many; empty for those without geometry, and for those that nothing names
-  std::vector<TreePiece> pieces;   // those of a file after those of the file that names it
-  int32_t levels = 0;              // of the deepest piece, plus 1
+  std::vector<PackedFile> packed;         // the tile's own file first
+  std::vector<TreeFile> files;            // as many; empty for those without geometry, and for those that nothing names
+  std::vector<TreePiece> pieces;          // those of a file after those of the file that names it
+  int32_t levels = 0;                     // of the deepest piece, plus 1
+  std::vector<std::string> missing = {};  // files that are named and not there
 };
 
 // Reads a tile from its pack (common/util/file_pack.h), whose first file tells the format: a tileset if its name ends

@@ -106,6 +106,30 @@ TEST(OsgbAppendTest, PointsAreInTheFrameOfTheScene) {
   EXPECT_EQ(after->points[5], before->points[2]);
 }
 
+// In a group with geometries of its own, and in one below it that ends where it does.
+TEST(OsgbAppendTest, AppendsBesideGeometriesWithoutAGeode) {
+  for (const uint32_t version : {154u, 161u}) {
+    OsgbBuilder builder(version);
+    const auto geometry = [&] { builder.Geometry({}); };
+    const std::string bytes = builder.Scene([&] { builder.Group({geometry, [&] { builder.Group({geometry}); }}); });
+    const std::vector<OsgbPatch> patches = {OsgbTriangle(0), OsgbTriangle(1)};
+    const absl::StatusOr<std::string> appended = AppendOsgb(bytes, patches, "a.osgb");
+    ASSERT_TRUE(appended.ok()) << appended.status();
+    const absl::StatusOr<OsgbFile> file = ReadOsgb(*appended, "b.osgb");
+    ASSERT_TRUE(file.ok()) << version << ": " << file.status();
+    std::vector<int32_t> geodes;
+    for (const OsgbGeometry& g : file->geometries) geodes.push_back(g.geode);
+    EXPECT_THAT(geodes, ElementsAre(0, 1, 1, 0)) << version;
+  }
+}
+
+TEST(OsgbAppendTest, RefusesGeometryBelowAPagedLod) {
+  OsgbBuilder builder(161);
+  const std::string bytes = builder.Scene([&] { builder.PagedLod("b.osgb", [&] { builder.Geometry({}); }); });
+  ASSERT_EQ(OsgbRefusal(bytes), "");
+  EXPECT_THAT(AppendRefusal(bytes, OsgbTriangle(0)), HasSubstr("a child of an osg::PagedLOD"));
+}
+
 TEST(OsgbAppendTest, RefusesFilesWithoutAPlaceForIt) {
   OsgbBuilder empty;
   EXPECT_THAT(AppendRefusal(empty.Scene([&] { empty.Geode({}); }), OsgbTriangle()), HasSubstr("osg::Geode 0 is empty"));

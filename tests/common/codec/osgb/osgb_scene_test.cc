@@ -158,13 +158,19 @@ TEST(OsgbSceneTest, RefusesNodesWithSeveralParents) {
               HasSubstr("a geometry in several geodes is not supported"));
 }
 
+// Those of one node are a geode of their own.
 TEST(OsgbSceneTest, ReadsGeometryWithoutAGeode) {
   OsgbBuilder builder(161);
-  const absl::StatusOr<OsgbFile> file =
-      ReadOsgb(builder.Scene([&] { builder.Group({[&] { builder.Geometry({}); }}); }), "a.osgb");
+  const auto geometry = [&] { builder.Geometry({}); };
+  const absl::StatusOr<OsgbFile> file = ReadOsgb(builder.Scene([&] {
+    builder.Group({geometry, [&] { builder.Geode({geometry}); }, geometry});
+  }),
+                                                 "a.osgb");
   ASSERT_TRUE(file.ok()) << file.status();
-  EXPECT_EQ(file->geometries.at(0).geode, -1);
-  EXPECT_TRUE(file->geodes.empty());
+  ASSERT_EQ(file->geodes.size(), 2u);
+  EXPECT_EQ(file->geometries.at(0).geode, 0);
+  EXPECT_EQ(file->geometries.at(1).geode, 1);
+  EXPECT_EQ(file->geometries.at(2).geode, 0);
 }
 
 TEST(OsgbSceneTest, LimitsTheDepthOfNodes) {

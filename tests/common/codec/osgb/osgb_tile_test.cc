@@ -38,6 +38,18 @@ TEST(OsgbTileTest, APieceWithoutItsFinerFileIsTheFinest) {
   EXPECT_TRUE(tile->pieces[4].is_finest);
 }
 
+TEST(OsgbTileTest, AFinerFileMayBeNamedInOtherWays) {
+  for (const char* name : {"b_L1.osgb", "./b_L1.osgb", ".\\b_L1.osgb", "../Tile_1/b_L1.osgb", "B_l1.osgb"}) {
+    OsgbBuilder builder;
+    const std::string root =
+        builder.Scene([&] { builder.PagedLod(name, [&] { builder.Geode({[&] { builder.Geometry({}); }}); }); });
+    const std::string pack = PackFiles({{"a.osgb", root}, {"b_L1.osgb", BuiltOsgbGeometry({})}});
+    const auto tile = ReadOsgbTile(pack, "Data/Tile_1/a.osgb");
+    ASSERT_TRUE(tile.ok()) << name << ": " << tile.status();
+    EXPECT_EQ(tile->levels, 2) << name;
+  }
+}
+
 TEST(OsgbTileTest, AFileThatIsNamedTwiceIsAnError) {
   OsgbBuilder builder;
   const std::string root = builder.Scene([&] {
