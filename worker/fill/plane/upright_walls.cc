@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "common/mesh/rounding.h"
@@ -14,6 +16,13 @@ namespace {
 // Of its size: a rim vertex that is closer to the surface needs no wall; at level water one within kFlatWithin.
 constexpr double kLeastHeight = 0.125;
 
+// Where a rim edge passes through the surface, the surface ends beside it: so far from there into its triangle.
+constexpr double kBeside = 0.25;
+
+double Turn(const Point3& a, const Point3& b, const Point3& c) {
+  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
 class WallRaiser {
  public:
   WallRaiser(const LocalHole& hole, std::span<const double> ground, LocalPatch& patch)
@@ -24,6 +33,7 @@ class WallRaiser {
     for (Triangle& t : patch_.triangles) {
       for (int32_t& v : t) v = Lowered(v);
     }
+    FindEdges();
     for (const RegionSegment& s : hole_.segments) AddWall(s.from, s.to);
     return std::move(foot_);
   }
@@ -75,9 +85,69 @@ class WallRaiser {
 
   int32_t Lowered(int32_t v) const { return v < hole_.size() && foot_[v] >= 0 ? foot_[v] : v; }
 
+  const Point3& At(int32_t v) const {
+    return v < hole_.size() ? hole_.positions[v] : patch_.new_points[v - hole_.size()];
+  }
+
+  // Whether a rim edge is above level water at one end and below it at the other. Rims that pass through ground are
+  // rare; there what crosses is closed anew (space/mend_crossings.h).
+  bool PassesThrough(int32_t from, int32_t to) const {
+    return hole_.level && foot_[from] >= 0 && foot_[to] >= 0 &&
+           (hole_.positions[from].z() > At(foot_[from]).z()) != (hole_.positions[to].z() > At(foot_[to]).z());
+  }
+
+  // Triangles of the surface that walls divide, by their edges.
+  void FindEdges() {
+    for (const RegionSegment& s : hole_.segments) {
+      if (PassesThrough(s.from, s.to)) triangle_at_[{foot_[s.from], foot_[s.to]}] = -1;
+    }
+    if (triangle_at_.empty()) return;
+    for (size_t t = 0; t < patch_.triangles.size(); ++t) NoteEdges(static_cast<int32_t>(t));
+  }
+
+  void NoteEdges(int32_t t) {
+    const Triangle& corners = patch_.triangles[t];
+    for (int k = 0; k < 3; ++k) {
+      if (const auto at = triangle_at_.find({corners[k], corners[(k + 1) % 3]}); at != triangle_at_.end())
+        at->second = t;
+    }
+  }
+
+  // Two upright triangles between an edge and a surface that it passes through would overlap each other. There the
+  // surface gets a vertex beside its edge, and the wall goes around it. False if it has no room for one.
+  bool AddWallBeside(int32_t from, int32_t to) {
+    const int32_t a = foot_[from], b = foot_[to], t = triangle_at_.at({a, b});
+    if (t < 0) return false;
+    const Triangle corners = patch_.triangles[t];
+    const int32_t apex = corners[0] != a && corners[0] != b   ? corners[0]
+                         : corners[1] != a && corners[1] != b ? corners[1]
+                                                              : corners[2];
+    const double above = std::abs(hole_.positions[from].z() - At(a).z());
+    const double below = std::abs(hole_.positions[to].z() - At(b).z());
+    const Point3 through = At(a) + above / (above + below) * (At(b) - At(a));
+    Point3 beside = through;  // at its height, so that water stays level
+    beside.head<2>() += kBeside * (At(apex) - through).head<2>();
+    beside = RoundedToLattice(beside, hole_.cell->lattice_step);
+    beside = RoundedTo(hole_.cell->float32 ? NumberType::kFloat32 : NumberType::kFloat64, beside);
+    const bool has_room =
+        Turn(At(a), At(b), beside) > 0 && Turn(At(b), At(apex), beside) > 0 && Turn(At(apex), At(a), beside) > 0;
+    if (!has_room) return false;
+    const int32_t v = hole_.size() + static_cast<int32_t>(patch_.new_points.size());
+    patch_.new_points.push_back(beside);
+    patch_.triangles[t] = {a, v, apex};
+    patch_.triangles.push_back({v, b, apex});
+    triangle_at_.at({a, b}) = -1;
+    NoteEdges(t);
+    NoteEdges(static_cast<int32_t>(patch_.triangles.size()) - 1);
+    for (const Triangle& wall : {Triangle{from, to, v}, Triangle{to, b, v}, Triangle{from, v, a}})
+      patch_.triangles.push_back(wall);
+    return true;
+  }
+
   // The surface has the edge between the lowered ends.
   void AddWall(int32_t from, int32_t to) {
     const int32_t below_from = Lowered(from), below_to = Lowered(to);
+    if (PassesThrough(from, to) && AddWallBeside(from, to)) return;
     if (below_to != to) patch_.triangles.push_back({from, to, below_to});
     if (below_from != from) patch_.triangles.push_back({from, below_to, below_from});
   }
@@ -86,6 +156,8 @@ class WallRaiser {
   const std::span<const double> ground_;
   LocalPatch& patch_;
   std::vector<int32_t> foot_;  // of each vertex of the hole: the new one straight below it, else -1
+  // The triangle of the surface at each edge, between feet, that a rim edge passes through; -1: none.
+  std::map<std::pair<int32_t, int32_t>, int32_t> triangle_at_;
 };
 
 }  // namespace

@@ -11,7 +11,8 @@
 namespace tilemend {
 
 // Takes the patch down from rim vertices on objects. Each gets a new vertex straight below it (or above), where the
-// surface passes. The segments of the rim get triangles from there. So the surface keeps its height up to the rim. The
+// surface passes. The segments of the rim get triangles from there. Where one passes through level water, the water
+// gets a vertex beside it, as upright triangles would overlap there. So the surface keeps its height up to the rim. The
 // tiles on both sides of an overlap have it, wherever the objects end in each.
 //
 //   ground  the height of the surface at every vertex of the hole; it counts at those on objects

@@ -66,6 +66,28 @@ TEST_F(UprightWallsTest, StandStraightUnderObjects) {
   EXPECT_THAT(patch_.triangles, SizeIs(4 + 1 + 2 + 1));
 }
 
+// The edge from vertex 0 to 1 is above the water at its begin and below it at its end.
+TEST_F(UprightWallsTest, GoAroundWhereTheRimPassesThroughLevelWater) {
+  hole_.level = 5.125;
+  patch_.new_points = {{4, 4, 5.125}};
+  RaiseWalls(hole_, std::vector<double>(4, 5.125), patch_);
+  ASSERT_THAT(patch_.new_points, SizeIs(4));
+  const Point3 beside = patch_.new_points[3];
+  EXPECT_NEAR(beside.x(), 4, 1e-9);
+  EXPECT_NEAR(beside.y(), 0.25 * 4, 1e-9);
+  EXPECT_NEAR(beside.z(), 5.125, cell_.lattice_step);
+  std::map<std::pair<int32_t, int32_t>, int> rim;
+  for (const RegionSegment& s : hole_.segments) rim[{s.from, s.to}] = 1;
+  EXPECT_EQ(OpenEdges(), rim);
+  // No two upright triangles lie in the plane of the edge.
+  int in_plane = 0;
+  for (const Triangle& t : patch_.triangles) {
+    const SpaceTriangle at = InSpace(hole_, patch_, t);
+    in_plane += at[0].y() == 0 && at[1].y() == 0 && at[2].y() == 0 ? 1 : 0;
+  }
+  EXPECT_EQ(in_plane, 0);
+}
+
 TEST_F(UprightWallsTest, CloseOnTheSameBoundary) {
   RaiseWalls(hole_, ground_, patch_);
   std::map<std::pair<int32_t, int32_t>, int> rim;
