@@ -1,6 +1,7 @@
 #include "client/water_proposal.h"
 
 #include <filesystem>
+#include <limits>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -23,10 +24,28 @@ constexpr char kPackage[] = ".gpkg";
 constexpr char kGeoJson[] = ".geojson";
 constexpr char kLayer[] = "water";
 
+// Takes out what does not lie in the area: a polygon with `clear` across its edge would be refused.
+void KeepInside(const PlanePolygon& area, GroundRaster& raster) {
+  constexpr double kMargin = 0.05;  // metres, so that no square touches the edge
+  for (int32_t row = raster.row; row < raster.row + raster.rows; ++row) {
+    for (int32_t col = raster.col; col < raster.col + raster.cols; ++col) {
+      const Point2 low = Point2(col, row) * raster.square - Point2::Constant(kMargin);
+      const Point2 high = Point2(col + 1, row + 1) * raster.square + Point2::Constant(kMargin);
+      const bool inside = Contains(area, low) && Contains(area, high) && Contains(area, {low.x(), high.y()}) &&
+                          Contains(area, {high.x(), low.y()});
+      if (!inside) raster.heights[raster.IndexOf(col, row)] = std::numeric_limits<float>::quiet_NaN();
+    }
+  }
+}
+
 std::vector<ProposedSurface> SurfacesOf(const SceneWaves& waves) {
   std::vector<GroundRaster> rasters;
   for (const auto& [cell, stored] : waves.survey().records()) {
     if (stored != nullptr) rasters.push_back(stored.Outline()->lowest);
+  }
+  const PlanePolygon& area = waves.scene().area;
+  if (!area.empty()) {
+    for (GroundRaster& raster : rasters) KeepInside(area, raster);
   }
   std::vector<ProposedSurface> surfaces;
   for (LowRegion& region : FindWaterSurfaces(rasters)) {

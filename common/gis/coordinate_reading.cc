@@ -169,8 +169,12 @@ class Placement {
       if (Fit(degrees->Apply(Exchanged())) > Fit(placed)) ThrowExchanged();
       readings.push_back(*degrees);
     }
+    auto by_crs = in_crs.Apply(features_);
+    const size_t only_so = CountOnlyIn(placed, by_crs), only_in_crs = CountOnlyIn(by_crs, placed);
+    if (only_so > 0 && only_in_crs > 0) ThrowMixed(only_so, only_in_crs);
+    if (only_in_crs > 0) return Take(std::move(by_crs), in_crs.name);
     if (IsIn(placed)) return Take(std::move(placed), as_scene.name);
-    if (auto by_crs = in_crs.Apply(features_); IsIn(by_crs)) return Take(std::move(by_crs), in_crs.name);
+    if (IsIn(by_crs)) return Take(std::move(by_crs), in_crs.name);
     CheckNotExchanged(readings);
     throw BadVectors{"its coordinates (" + ExtentOf(features_).Text() + ") are neither in the scene (" + scene_.Text() +
                      " relative to its origin) nor in its CRS (" +
@@ -207,18 +211,39 @@ class Placement {
 
   // Longitudes and latitudes, as GeoJSON has them; none if these are no degrees, or the scene is nowhere on earth.
   std::optional<Reading> LonLat() const {
-    const Extent extent = ExtentOf(features_);
-    const bool degrees = extent.lo.x() >= -180 && extent.hi.x() <= 180 && extent.lo.y() >= -90 && extent.hi.y() <= 90;
+    const Extent extent = ExtentOf(features_);  // x and y may be exchanged, which is told later
+    const bool degrees = extent.lo.minCoeff() >= -180 && extent.hi.maxCoeff() <= 180;
     if (!degrees || !crs_ || crs_->IsGeographic()) return std::nullopt;
     return From(*CrsNamed(kLonLat), "longitude and latitude");
   }
 
   // With a cell's width around, since waters and areas reach out of a scene.
+  bool MeetsScene(const Extent& extent) const {
+    return (extent.lo.array() <= scene_.hi.array()).all() && (extent.hi.array() >= scene_.lo.array()).all();
+  }
+
   bool IsIn(const std::optional<std::vector<VectorFeature>>& placed) const {
     if (!placed) return false;
-    if (!has_extent_ || placed->empty()) return true;
-    const Extent extent = ExtentOf(*placed);
-    return (extent.lo.array() <= scene_.hi.array()).all() && (extent.hi.array() >= scene_.lo.array()).all();
+    return !has_extent_ || placed->empty() || MeetsScene(ExtentOf(*placed));
+  }
+
+  // How many features lie in the scene as they are in `placed`, and do not as in `other`.
+  size_t CountOnlyIn(const std::optional<std::vector<VectorFeature>>& placed,
+                     const std::optional<std::vector<VectorFeature>>& other) const {
+    size_t count = 0;
+    for (size_t i = 0; placed && i < placed->size(); ++i) {
+      const bool is_in = MeetsScene(ExtentOf({(*placed)[i]}));
+      if (is_in && !(other && MeetsScene(ExtentOf({(*other)[i]})))) ++count;
+    }
+    return count;
+  }
+
+  // Such as a drawing with a frame around (0, 0).
+  [[noreturn]] void ThrowMixed(size_t only_so, size_t only_in_crs) const {
+    throw BadVectors{"of its " + std::to_string(features_.size()) + " features " + std::to_string(only_so) +
+                     " lie in the scene only if coordinates are relative to its origin, and " +
+                     std::to_string(only_in_crs) +
+                     " only if they are in its CRS; take out what does not belong there, such as a drawing's frame"};
   }
 
   double Fit(const std::optional<std::vector<VectorFeature>>& placed) const {

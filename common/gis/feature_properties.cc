@@ -147,8 +147,9 @@ void SetProperties(const OGRFeature& feature, VectorFeature& to) {
   to.water = BooleanOf(feature, kWaterProperty, true, to.label);
   to.level = LevelOf(feature, to.label);
   to.clear = BooleanOf(feature, kClearProperty, false, to.label);
-  to.clear_height =
-      MetresOf(feature, kClearHeightProperty, 0, kMostClearHeight, "a number of metres from 0 to 1000", to.label);
+  const bool is_short = FieldOf(feature, kClearHeightProperty) < 0;
+  to.clear_height = MetresOf(feature, is_short ? kShortClearHeight : kClearHeightProperty, 0, kMostClearHeight,
+                             "a number of metres from 0 to 1000", to.label);
   to.kind = KindOf(feature, to.label);
   to.body = BodyOf(feature);
 }

@@ -12,6 +12,7 @@ inline constexpr char kCentrelineProperty[] = "centreline";
 inline constexpr char kKindProperty[] = "kind";
 inline constexpr char kClearProperty[] = "clear";
 inline constexpr char kClearHeightProperty[] = "clear_height";
+inline constexpr char kShortClearHeight[] = "clear_heig";  // the same in a shapefile, whose names have ten letters
 
 // Of a reviewed hole.
 inline constexpr char kDecisionProperty[] = "decision";

@@ -127,7 +127,8 @@ std::vector<std::string> NearMisses(OGRLayer& layer, const std::string& prefix) 
   for (int i = 0; i < definition.GetFieldCount(); ++i) {
     const char* const name = definition.GetFieldDefn(i)->GetNameRef();
     const std::string meant(PropertyMeantBy(name));
-    if (meant.empty() || definition.GetFieldIndex(meant.c_str()) == i) continue;
+    if (meant.empty() || name == std::string_view(kShortClearHeight) || definition.GetFieldIndex(meant.c_str()) == i)
+      continue;
     std::string first;
     int64_t count = 0;
     for (const auto& feature : layer) {

@@ -35,6 +35,7 @@ struct WaterArea {
   // How far the surface inside that is taken out scatters about `level`, metres, where that was measured on it
   // (waves/clearing.h).
   std::optional<double> level_sigma = std::nullopt;
+  bool is_mostly_open = false;                      // of its polygon less than half was there as surface
   std::vector<CellId> cleared_cells = {};           // of whose tiles triangles were taken out
   ReviewDecision decision = ReviewDecision::kNone;  // kNone: an area of --water or --clear
 };

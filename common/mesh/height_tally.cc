@@ -1,5 +1,6 @@
 #include "common/mesh/height_tally.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -73,6 +74,19 @@ std::optional<double> HalfSampleMode(const HeightTally& tally) {
   double sum = 0;
   for (const auto& [bin, area] : bins) sum += (bin + 0.5) * static_cast<double>(area);
   return sum / static_cast<double>(AreaOf(bins)) * kHeightBin;
+}
+
+HeightTally LowerHalf(const HeightTally& tally) {
+  int64_t left = 0;
+  for (const auto& [bin, area] : tally.area_of_bin) left += area;
+  left = (left + 1) / 2;
+  HeightTally half;
+  for (const auto& [bin, area] : tally.area_of_bin) {
+    if (left <= 0) break;
+    half.area_of_bin[bin] = std::min(area, left);
+    left -= area;
+  }
+  return half;
 }
 
 double SpreadAbout(const HeightTally& tally, double level, double top) {

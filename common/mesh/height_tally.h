@@ -32,6 +32,9 @@ HeightTally TallyHeights(const TriMesh& mesh, const PlanePolygon& polygon);
 // result is the weighted mean of the last one, or nullopt for an empty tally. Deterministic. Cost O(bins log bins).
 std::optional<double> HalfSampleMode(const HeightTally& tally);
 
+// The lower half of the area, bin by bin.
+HeightTally LowerHalf(const HeightTally& tally);
+
 // How far the heights up to `top` scatter about a level, in metres (whole bins). It is 1.4826 times the distance that
 // half of their area lies within: the standard deviation of normal heights. Where no height is up to there it is 0.
 // Cost O(bins log bins).

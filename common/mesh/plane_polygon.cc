@@ -1,5 +1,7 @@
 #include "common/mesh/plane_polygon.h"
 
+#include <cmath>
+
 namespace tilemend {
 
 bool Contains(const PlanePolygon& polygon, const Point2& p) {
@@ -12,6 +14,24 @@ bool Contains(const PlanePolygon& polygon, const Point2& p) {
     }
   }
   return inside;
+}
+
+double AreaOf(const PlanePolygon& polygon) {
+  double area = 0;
+  for (size_t r = 0; r < polygon.rings.size(); ++r) {
+    const std::vector<Point2>& ring = polygon.rings[r];
+    double twice = 0;
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const Point2 a = ring[i] - ring[0], b = ring[(i + 1) % ring.size()] - ring[0];
+      twice += a.x() * b.y() - a.y() * b.x();
+    }
+    bool is_hole = false;  // within an odd number of others
+    for (size_t other = 0; other < polygon.rings.size(); ++other) {
+      is_hole ^= other != r && Contains({{polygon.rings[other]}}, ring[0]);
+    }
+    area += (is_hole ? -0.5 : 0.5) * std::abs(twice);
+  }
+  return area;
 }
 
 }  // namespace tilemend

@@ -20,6 +20,9 @@ struct PlanePolygon {
 // Whether `p` is inside. On the boundary itself either answer is possible. Cost O(points).
 bool Contains(const PlanePolygon& polygon, const Point2& p);
 
+// The area inside. Precondition: no rings cross. Cost O(points * rings).
+double AreaOf(const PlanePolygon& polygon);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_COMMON_MESH_PLANE_POLYGON_H_

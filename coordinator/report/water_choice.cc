@@ -8,6 +8,7 @@
 #include "common/gis/area_file.h"
 #include "common/store/digest.h"
 #include "common/util/status_macros.h"
+#include "coordinator/plan/types/meet_tolerance.h"
 
 namespace tilemend {
 namespace {
@@ -17,23 +18,44 @@ double Turn(const Point2& a, const Point2& b, const Point2& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-// Whether the outlines of two polygons cross each other. Cost O(points * points).
-bool CrossesEdge(const PlanePolygon& a, const PlanePolygon& b) {
-  const auto crosses_any = [&](const Point2& p, const Point2& q) {
-    for (const std::vector<Point2>& ring : b.rings) {
-      for (size_t k = 0; k < ring.size(); ++k) {
-        const Point2 &r = ring[k], &s = ring[(k + 1) % ring.size()];
-        if (Turn(p, q, r) * Turn(p, q, s) < 0 && Turn(r, s, p) * Turn(r, s, q) < 0) return true;
+double DistanceTo(const Point2& p, const Point2& a, const Point2& b) {
+  const Point2 way = b - a;
+  const double along = way.squaredNorm() > 0 ? std::clamp((p - a).dot(way) / way.squaredNorm(), 0.0, 1.0) : 0;
+  return (a + along * way - p).norm();
+}
+
+enum class Side { kInside, kOutside, kAcross };
+
+// Where a ring lies of a polygon. Across is also one that touches its edge: triangles are taken out whole, so it would
+// take some out beyond. Cost O(points * points).
+Side SideOf(const std::vector<Point2>& ring, const PlanePolygon& polygon) {
+  const Side side = Contains(polygon, ring[0]) ? Side::kInside : Side::kOutside;
+  for (const std::vector<Point2>& edge : polygon.rings) {
+    for (size_t k = 0; k < edge.size(); ++k) {
+      const Point2 &r = edge[k], &s = edge[(k + 1) % edge.size()];
+      for (size_t i = 0; i < ring.size(); ++i) {
+        const Point2 &p = ring[i], &q = ring[(i + 1) % ring.size()];
+        if (DistanceTo(p, r, s) <= kMeetTolerance) return Side::kAcross;
+        if (Turn(p, q, r) * Turn(p, q, s) < 0 && Turn(r, s, p) * Turn(r, s, q) < 0) return Side::kAcross;
       }
     }
-    return false;
-  };
-  for (const std::vector<Point2>& ring : a.rings) {
-    for (size_t k = 0; k < ring.size(); ++k) {
-      if (crosses_any(ring[k], ring[(k + 1) % ring.size()])) return true;
-    }
   }
-  return false;
+  return side;
+}
+
+// Takes the rings out of a polygon that lie outside the area; false if one lies across its edge.
+bool KeepRingsInside(const PlanePolygon& area, PlanePolygon& polygon) {
+  std::vector<std::vector<Point2>> kept;
+  for (const std::vector<Point2>& edge : area.rings) {
+    if (Contains(polygon, edge[0])) return false;
+  }
+  for (std::vector<Point2>& ring : polygon.rings) {
+    const Side side = SideOf(ring, area);
+    if (side == Side::kAcross) return false;
+    if (side == Side::kInside) kept.push_back(std::move(ring));
+  }
+  polygon.rings = std::move(kept);
+  return true;
 }
 
 }  // namespace
@@ -83,17 +105,17 @@ absl::Status KeepClearInside(const PlanePolygon& area, WaterChoice& choice) {
   if (area.empty()) return absl::OkStatus();
   std::vector<WaterArea> kept;
   for (WaterArea& water : choice.options.areas) {
-    const bool goes_beyond = CrossesEdge(water.polygon, area) || Contains(water.polygon, area.rings[0][0]);
-    if (water.clear && goes_beyond) {
-      return absl::InvalidArgumentError(absl::StrCat(
-          water.label, ": lies across the edge of the area; what it takes out beyond would stay open: draw it inside"));
+    const size_t rings = water.polygon.rings.size();
+    if (water.clear && !KeepRingsInside(area, water.polygon)) {
+      return absl::InvalidArgumentError(absl::StrCat(water.label,
+                                                     ": lies across the edge of the area, or touches it; what "
+                                                     "it takes out beyond would stay open: draw it inside"));
     }
-    if (!water.clear || Contains(area, water.polygon.rings[0][0])) {
-      kept.push_back(std::move(water));
-    } else {
-      choice.warnings.push_back(
-          absl::StrCat(water.label, ": lies outside the area, so nothing is taken out and nothing filled there"));
+    if (water.polygon.rings.size() < rings) {
+      choice.warnings.push_back(absl::StrCat(water.label, water.polygon.empty() ? ": lies" : ": a part of it lies",
+                                             " outside the area, so nothing is taken out and nothing filled there"));
     }
+    if (!water.clear || !water.polygon.empty()) kept.push_back(std::move(water));
   }
   choice.options.areas = std::move(kept);
   return absl::OkStatus();

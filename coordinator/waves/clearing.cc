@@ -10,6 +10,15 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Tiles may reach this share of a cell beyond their cells (coordinator/report/tile_checks.h, ReachOfCell).
 constexpr double kReachBeyondCell = 0.25;
+// Of a polygon: what must be there as surface to tell its level. Else most of it is a hole (kDecidingShare), and what
+// is there are banks.
+constexpr double kMeasuredShare = 0.5;
+
+double AreaOf(const HeightTally& tally) {
+  double area = 0;
+  for (const auto& [bin, part] : tally.area_of_bin) area += static_cast<double>(part) * kAreaUnit;
+  return area;
+}
 
 }  // namespace
 
@@ -75,8 +84,11 @@ absl::Status Clearing::TakeTallies(CellId cell, std::span<const HeightTally> tal
 void Clearing::Settle(std::vector<WaterArea>& areas) {
   for (Asked& asked : asked_) {
     if (!asked.measured) continue;
-    const std::optional<double> level = HalfSampleMode(asked.heights);
-    if (level) {
+    const bool is_measured = AreaOf(asked.heights) > kMeasuredShare * AreaOf(asked.polygon);
+    areas[asked.area].is_mostly_open = !is_measured;
+    // Banks rise from the water. What its level is, is for the shore of the hole to say.
+    const std::optional<double> level = HalfSampleMode(is_measured ? asked.heights : LowerHalf(asked.heights));
+    if (level && is_measured) {
       areas[asked.area].level = *level;
       areas[asked.area].level_sigma = SpreadAbout(asked.heights, *level, *level + asked.clear_height);
     }

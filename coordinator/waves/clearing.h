@@ -26,8 +26,9 @@ struct ClearedArea {
 };
 
 // First the tiles in reach of areas of water without a level are measured (Polygons, TakeTallies). Then Settle gives
-// each such area one level, the same for all tiles: the half-sample mode of the heights in it. From then on Areas says
-// what is taken out of a tile. Pure. Not thread-safe. Cost O(areas) a tile, and the tallies until Settle.
+// each such area one level, the same for all tiles: the half-sample mode of the heights in it. An area that is mostly
+// open gets none; what is taken out there is up to its clear_height above the mode of the lower half. From then on
+// Areas says what is taken out of a tile. Pure. Not thread-safe. Cost O(areas) a tile, and the tallies until Settle.
 class Clearing {
  public:
   // Without areas nothing is taken out.

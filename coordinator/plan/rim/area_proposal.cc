@@ -180,7 +180,7 @@ std::vector<std::vector<Point2>> RingsOf(const Mask& mask) {
 }
 
 // Rings have what is inside on their left.
-double AreaOf(const PlanePolygon& polygon) {
+double DirectedArea(const PlanePolygon& polygon) {
   double twice = 0;
   for (const std::vector<Point2>& ring : polygon.rings) {
     for (size_t i = 0; i < ring.size(); ++i) {
@@ -207,7 +207,7 @@ PlanePolygon ProposeArea(const Grid& grid, const std::map<CellId, StoredRecord>&
 
 PlanePolygon OutlineInsideCells(const Grid& grid, const std::map<CellId, StoredRecord>& records) {
   const PlanePolygon outline = ProposeArea(grid, records);
-  double missing = -AreaOf(outline), perimeter = 0;
+  double missing = -DirectedArea(outline), perimeter = 0;
   for (const auto& [cell, record] : records) {
     missing += grid.cell_size.prod();
     const CellId beside[] = {

@@ -1,13 +1,16 @@
 #include "coordinator/plan/water/area_cover.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace tilemend {
 namespace {
 
 constexpr int kLines = 128;
+constexpr double kSameLevel = 0.01;  // metres between levels that were given
 
 struct Bounds {
   Point2 lo = Point2::Constant(std::numeric_limits<double>::infinity());
@@ -58,7 +61,29 @@ double CommonLength(const std::vector<double>& a, const std::vector<double>& b) 
   return sum;
 }
 
+// Intervals that overlap are one.
+std::vector<double> UnionOf(std::vector<std::pair<double, double>> parts) {
+  std::sort(parts.begin(), parts.end());
+  std::vector<double> ends;
+  for (const auto& [low, high] : parts) {
+    if (!ends.empty() && low <= ends.back()) {
+      ends.back() = std::max(ends.back(), high);
+    } else {
+      ends.insert(ends.end(), {low, high});
+    }
+  }
+  return ends;
+}
+
 }  // namespace
+
+bool SayTheSame(const WaterArea& a, const WaterArea& b) {
+  if (a.water != b.water || a.kind != b.kind || a.clear != b.clear || a.level.has_value() != b.level.has_value())
+    return false;
+  if (!a.centreline.empty() || !b.centreline.empty()) return false;
+  if (!a.level) return true;
+  return std::abs(*a.level - *b.level) <= std::max({kSameLevel, a.level_sigma.value_or(0), b.level_sigma.value_or(0)});
+}
 
 CoverLines::CoverLines(std::span<const PlaneSegment> boundary) {
   const Bounds box = BoundsOf(boundary);
@@ -81,6 +106,41 @@ double CoverLines::ShareIn(std::span<const PlaneSegment> outline) const {
     if (meets) common += CommonLength(line.inside, Crossings(outline, line.y));
   }
   return length_ > 0 ? common / length_ : 0;
+}
+
+double CoverLines::ShareIn(std::span<const WaterArea* const> areas) const {
+  double common = 0;
+  for (const Line& line : lines_) {
+    std::vector<std::pair<double, double>> parts;
+    for (const WaterArea* area : areas) {
+      const std::vector<double> at = Crossings(SegmentsOf(*area), line.y);
+      for (size_t i = 0; i + 1 < at.size(); i += 2) parts.emplace_back(at[i], at[i + 1]);
+    }
+    common += CommonLength(line.inside, UnionOf(std::move(parts)));
+  }
+  return length_ > 0 ? common / length_ : 0;
+}
+
+std::optional<DecidingArea> FindDecidingArea(const CoverLines& region, std::span<const double> shares,
+                                             std::span<const WaterArea> areas) {
+  for (size_t a = shares.size(); a-- > 0;) {
+    if (shares[a] > kDecidingShare) return DecidingArea{a, shares[a], false};
+  }
+  std::optional<DecidingArea> most;
+  for (size_t a = 0; a < shares.size(); ++a) {
+    if (shares[a] <= 0 || (most && shares[a] <= shares[most->area])) continue;
+    std::vector<const WaterArea*> same;
+    double sum = 0;
+    for (size_t b = 0; b < shares.size(); ++b) {
+      if (shares[b] <= 0 || !SayTheSame(areas[a], areas[b])) continue;
+      same.push_back(&areas[b]);
+      sum += shares[b];
+    }
+    if (sum <= kDecidingShare) continue;
+    const double share = region.ShareIn(same);
+    if (share > kDecidingShare) most = DecidingArea{a, share, true};
+  }
+  return most;
 }
 
 }  // namespace tilemend

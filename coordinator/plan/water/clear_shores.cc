@@ -17,10 +17,12 @@ constexpr double kIsCovered = 0.01;  // share of a cell, as that of squares that
 // Decisions of a reviewer change no shore.
 bool IsCleared(const WaterBody& body, const std::vector<WaterArea>& areas, const Plan& plan) {
   const CoverLines region(BoundaryOf(plan, body.holes));
-  const auto decides = std::find_if(areas.rbegin(), areas.rend(), [&](const WaterArea& area) {
-    return area.decision == ReviewDecision::kNone && region.ShareIn(area) > kDecidingShare;
-  });
-  return decides != areas.rend() && decides->clear;
+  std::vector<double> shares;
+  for (const WaterArea& area : areas) {
+    shares.push_back(area.decision == ReviewDecision::kNone ? region.ShareIn(area) : 0);
+  }
+  const auto deciding = FindDecidingArea(region, shares, areas);
+  return deciding && areas[deciding->area].clear;
 }
 
 void MarkShore(const WaterBody& body, Plan& plan) {

@@ -11,9 +11,8 @@
 namespace tilemend {
 
 // Sets PlanVertex::on_object of original rim vertices that are more than kFlatWithin off the water, in bodies that an
-// area with `clear` decides on. Such an area covers more than half of the body, and no area after it does. So the water
-// is level up to its rim, which is the outline of whole triangles here and no shore. Call it when plan.water is known.
-// Cost O(segments of these bodies * areas).
+// area with `clear` decides on (FindDecidingArea). So the water is level up to its rim, which is the outline of whole
+// triangles here and no shore. Call it when plan.water is known. Cost O(segments of these bodies * areas).
 void MarkClearedShores(const std::vector<WaterArea>& areas, Plan& plan);
 
 // Adds to plan.left the cells that an area took surface out of, where it covers more than a hundredth and lies over no

@@ -31,7 +31,7 @@ using Verdict = HoleEvidence::Verdict;
 struct Group {
   std::vector<int32_t> holes;
   double area = 0;                // m2
-  std::optional<size_t> decider;  // the last area over more than half of it
+  std::optional<size_t> decider;  // FindDecidingArea
   HoleEvidence evidence;
   bool is_judged = false;
   bool is_known = false;  // the scene as a whole says what of it is water
@@ -47,17 +47,18 @@ bool LiesAbove(const Plan& plan, const std::vector<int32_t>& holes, const WaterA
 
 std::optional<size_t> DeciderOf(const Plan& plan, const std::vector<int32_t>& holes,
                                 const std::vector<WaterArea>& areas) {
-  std::optional<size_t> decider;
-  if (areas.empty()) return decider;
+  if (areas.empty()) return std::nullopt;
   const CoverLines region(BoundaryOf(plan, holes));
   const auto decision = plan.decisions.find(holes.front());
   if (decision != plan.decisions.end() && areas[decision->second].decision != ReviewDecision::kAccept)
     return decision->second;
+  std::vector<double> shares(areas.size(), 0);
   for (size_t a = 0; a < areas.size(); ++a) {
-    if (areas[a].decision != ReviewDecision::kNone) continue;
-    if (region.ShareIn(areas[a]) > kDecidingShare && !LiesAbove(plan, holes, areas[a])) decider = a;
+    const bool counts = areas[a].decision == ReviewDecision::kNone && !LiesAbove(plan, holes, areas[a]);
+    if (counts) shares[a] = region.ShareIn(areas[a]);
   }
-  return decider;
+  const auto deciding = FindDecidingArea(region, shares, areas);
+  return deciding ? std::optional<size_t>(deciding->area) : std::nullopt;
 }
 
 Eigen::AlignedBox2d SurroundingsOf(const std::vector<PlaneSegment>& outline, double margin) {

@@ -14,11 +14,16 @@
 namespace tilemend {
 namespace {
 
-// Metres, beside three standard deviations: a given level farther from the shore's own may be a mistake.
+// Metres: a given level farther from the shore's own may be a mistake.
 constexpr double kLevelOff = 1;
-constexpr double kStation = 25;  // metres: what is no longer is no reach of a river
-constexpr double kAlong = 0.5;   // of a river's length: a centreline that runs along less may run across it
-constexpr int kParts = 64;       // of a piece of centreline: each is in the area or not
+constexpr double kSureLevel = 0.25;  // metres of sigma, as in the report's look_at
+constexpr double kStation = 25;      // metres: what is no longer is no reach of a river
+constexpr double kAlong = 0.5;       // of a river's length: a centreline that runs along less may run across it
+constexpr int kParts = 64;           // of a piece of centreline: each is in the area or not
+constexpr char kMostlyOpen[] =
+    "most of it was a hole already, so what was taken out may be banks, and its level is that of what stands around "
+    "it; "
+    "leave \"clear\" out, or give level_m";
 constexpr char kMaybeSurface[] = ". If the water is there as surface, add \"clear\": true";
 constexpr char kTakenOut[] = "; surface was taken out under it all the same";
 constexpr double kCovers = 0.9;  // share of what is made water by it that lies under an area
@@ -27,7 +32,9 @@ constexpr double kCovers = 0.9;  // share of what is made water by it that lies 
 struct Body {
   std::vector<int32_t> holes;
   std::vector<PlaneSegment> boundary;
-  int32_t decided_by = -1;  // the last area that covers more than half
+  int32_t decided_by = -1;  // FindDecidingArea
+  bool together = false;    // with others that say the same,
+  double share = 0;         // which cover so much of it
 };
 
 std::vector<Body> BodiesOf(const Plan& plan) {
@@ -87,14 +94,20 @@ class Answers {
   Answers(const std::vector<WaterArea>& areas, Plan& plan) : areas_(areas), plan_(plan), bodies_(BodiesOf(plan)) {
     shares_.resize(areas.size());
     for (size_t b = 0; b < bodies_.size(); ++b) {
-      const CoverLines region(bodies_[b].boundary);
+      Body& body = bodies_[b];
+      const CoverLines region(body.boundary);
+      std::vector<double> shares(areas.size(), 0);
       for (size_t a = 0; a < areas.size(); ++a) {
         const double share = region.ShareIn(areas[a]);
         if (share > 0) shares_[a].emplace_back(b, share);
         // Who accepts what was filled leaves it to the areas before.
-        if (share > kDecidingShare && areas[a].decision != ReviewDecision::kAccept)
-          bodies_[b].decided_by = static_cast<int32_t>(a);
+        if (areas[a].decision != ReviewDecision::kAccept) shares[a] = share;
       }
+      const auto deciding = FindDecidingArea(region, shares, areas);
+      if (!deciding) continue;
+      body.decided_by = static_cast<int32_t>(deciding->area);
+      body.together = deciding->together;
+      body.share = deciding->share;
     }
   }
 
@@ -111,8 +124,10 @@ class Answers {
         const double covered = share * AreaOf(bodies_[b]);
         if (reason.empty()) {
           answer.holes.insert(answer.holes.end(), bodies_[b].holes.begin(), bodies_[b].holes.end());
-          taken += AreaOf(bodies_[b]);
-          under += covered;
+          const Body& body = bodies_[b];
+          const bool decides = body.decided_by == static_cast<int32_t>(a);
+          taken += body.together && !decides ? covered : AreaOf(body);
+          under += body.together && decides ? body.share * AreaOf(body) : covered;
         }
         if (covered <= most) continue;
         answer.reason = std::move(reason);
@@ -122,7 +137,10 @@ class Answers {
       if (shares_[a].empty()) answer.reason = "no hole lies under it";
       if (!answer.taken && answer.water && !areas_[a].clear && CoversNoWaterHole(a)) answer.reason += kMaybeSurface;
       if (!answer.taken && !areas_[a].cleared_cells.empty()) answer.reason += kTakenOut;
-      if (answer.taken && answer.water && areas_[a].level) answer.doubt = DoubtOfLevel(areas_[a], answer);
+      if (answer.taken && answer.water) {
+        answer.doubt = areas_[a].level ? DoubtOfLevel(areas_[a], answer) : DoubtOfShore(answer);
+        if (areas_[a].is_mostly_open) AddDoubt(kMostlyOpen, answer);
+      }
       if (!answer.water && areas_[a].level)
         AddDoubt("its level_m has no effect where it says that there is no water", answer);
       if (answer.taken && answer.water) AddDoubt(DoubtOfKind(areas_[a], answer), answer);
@@ -164,11 +182,24 @@ class Answers {
       if (plan_.holes[h].water < 0) continue;
       const WaterBody& body = plan_.water[plan_.holes[h].water];
       const double off = body.level - body.shore_level;
-      if (std::abs(off) <= std::max(kLevelOff + kSigmas * body.sigma, most)) continue;
+      // What is around cleared surface is the outline of the polygon, which tells a level less surely than a shore.
+      const double allowed = kLevelOff + (area.level_sigma ? kSigmas * body.sigma : 0);
+      if (std::abs(off) <= std::max(allowed, most)) continue;
       most = std::abs(off);
       doubt = level + " puts the water " + Decimals(most) + " m " + (off > 0 ? "above" : "below") + " its shore";
     }
     return doubt;
+  }
+
+  // A shore that tells no one level: the water may fall, as over a weir, or more than the water lies in the area.
+  std::string DoubtOfShore(const WaterAnswer& answer) const {
+    double sigma = kSureLevel;
+    for (const int32_t h : answer.holes) {
+      if (plan_.holes[h].water >= 0 && !IsRiver(h)) sigma = std::max(sigma, plan_.water[plan_.holes[h].water].sigma);
+    }
+    if (sigma <= kSureLevel) return "";
+    return "its shore tells the level to " + Decimals(sigma) +
+           " m only; level_m sets it, and \"kind\": \"river\" lets it fall";
   }
 
   bool IsRiver(int32_t h) const {
@@ -231,6 +262,8 @@ class Answers {
   // Why area `a` does not decide on a body; "" if it does.
   std::string WhyNot(int32_t a, const Body& body, double share) const {
     const Point2 at = plan_.holes[body.holes.front()].centre;
+    const bool is_one_of_them = body.together && SayTheSame(areas_[a], areas_[body.decided_by]);
+    if (is_one_of_them) return areas_[a].water ? WhyNoWater(plan_, body) : "";
     if (share <= kDecidingShare) {
       return "it covers " + Number(100 * share) + " % of the hole at " + Place(at) +
              ", which is filled as one; to decide on it, draw it over more than half";

@@ -49,6 +49,23 @@ TEST(CoordinateReadingTest, WithoutACrsThatWhichLiesInTheSceneIsMeant) {
   ExpectPond(Read(kPondInDegrees, "", Munich()), "longitude and latitude", 12.5, 0.05);
 }
 
+// A drawing has a frame around (0, 0), and its water in the scene's CRS.
+TEST(CoordinateReadingTest, FeaturesThatAreMeantInTwoWaysAreAnError) {
+  const auto read = [](const std::vector<std::vector<Point2>>& rings) {
+    std::vector<std::string> features;
+    for (const std::vector<Point2>& ring : rings) features.push_back(FeatureText(PolygonText(ring), "{}"));
+    return ParseWaterFile({CollectionText(features, "")}, "f", Munich());
+  };
+  const auto water = SquareAt(691100, 5334300, 100), frame = SquareAt(0, 0, 420), far = SquareAt(-9000, -9000, 5);
+  EXPECT_THAT(
+      MessageOf(read({frame, water})),
+      HasSubstr("of its 2 features 1 lie in the scene only if coordinates are relative to its origin, and 1 only "
+                "if they are in its CRS"));
+  const auto beside = read({far, water});  // one that lies nowhere does not matter
+  ASSERT_TRUE(beside.ok()) << beside.status();
+  EXPECT_EQ(beside->coordinates, "EPSG:25832");
+}
+
 TEST(CoordinateReadingTest, ANamedCrsIsTransformedToTheScenes) {
   ExpectPond(Read(SquareAt(691100, 5334300, 100), kUtm, Munich()), "EPSG:25832", 12.5, 1e-6);
   ExpectPond(Read(kPondInDegrees, "urn:ogc:def:crs:OGC:1.3:CRS84", Munich()), "EPSG:4326", 12.5, 0.05);

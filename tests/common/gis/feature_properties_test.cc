@@ -32,6 +32,12 @@ TEST(FeaturePropertiesTest, ACentrelineIsALineItsCoordinatesOrWkt) {
   }
 }
 
+// dBase has ten letters for a name.
+TEST(FeaturePropertiesTest, TheClearHeightOfAShapefileHasAShortName) {
+  EXPECT_EQ(AreaWith(R"({"clear": true, "clear_heig": 0.5})")->clear_height, 0.5);
+  EXPECT_EQ(AreaWith(R"({"clear": true, "clear_heig": 0.5, "clear_height": 0.75})")->clear_height, 0.75);
+}
+
 TEST(FeaturePropertiesTest, LongNamesAreCut) {
   const std::string name(1000000, 'n');
   const auto file = ParseWaterFile({FeatureText(kSquare, absl::StrCat(R"({"name": "\u001b)", name, "\"}"))}, "f", {});

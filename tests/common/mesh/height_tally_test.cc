@@ -66,6 +66,12 @@ TEST(HalfSampleModeTest, FindsWaterBesideABridgeAndTrees) {
   EXPECT_NEAR(*HalfSampleMode(tally), 3.25, 0.1);
 }
 
+TEST(LowerHalfTest, EndsWithinABin) {
+  const HeightTally half = LowerHalf({{{3, 4}, {5, 10}, {9, 6}}});
+  EXPECT_EQ(half.area_of_bin, (std::map<int32_t, int64_t>{{3, 4}, {5, 6}}));
+  EXPECT_TRUE(LowerHalf({}).area_of_bin.empty());
+}
+
 TEST(SpreadAboutTest, IsTheDeviationOfNormalHeightsWhateverStandsInThem) {
   std::mt19937 random(3);
   std::normal_distribution<double> waves(-3.25, 0.15);

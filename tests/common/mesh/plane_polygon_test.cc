@@ -26,6 +26,12 @@ TEST(PlanePolygonTest, RingsWithinRingsAreHolesWhateverTheirDirection) {
   }
 }
 
+TEST(PlanePolygonTest, TheAreaIsThatInside) {
+  EXPECT_EQ(AreaOf({}), 0);
+  EXPECT_DOUBLE_EQ(AreaOf({{Square(0, 9), Square(2, 7), Square(4, 5)}}), 81 - 25 + 1);
+  EXPECT_DOUBLE_EQ(AreaOf({{Square(0, 1), Square(5, 7)}}), 5);
+}
+
 TEST(PlanePolygonTest, ALineThroughACornerCountsItOnce) {
   const PlanePolygon diamond{{{{0, -2}, {2, 0}, {0, 2}, {-2, 0}}}};
   EXPECT_TRUE(Contains(diamond, {0, 0})) << "the line to the right runs through the corner (2, 0)";

@@ -86,6 +86,18 @@ TEST(WaterChoiceTest, WhatIsClearedHasToLieInTheArea) {
   ASSERT_EQ(beyond.warnings.size(), 1U);
   EXPECT_THAT(beyond.warnings[0], HasSubstr("feature 7: lies outside the area"));
   EXPECT_TRUE(KeepClearInside(box(0, 10), plain).ok());
+  WaterChoice touching = choice_of({{{{5, 5}, {10, 6}, {5, 7}}}}, true);
+  EXPECT_TRUE(absl::IsInvalidArgument(KeepClearInside(box(0, 10), touching)));
+  for (const bool outer_first : {false, true}) {  // parts of one feature, inside and outside
+    PlanePolygon parts = box(2, 4);
+    parts.rings.insert(outer_first ? parts.rings.begin() : parts.rings.end(), box(20, 30).rings[0]);
+    WaterChoice both = choice_of(parts, true);
+    EXPECT_TRUE(KeepClearInside(box(0, 10), both).ok());
+    ASSERT_EQ(both.options.areas.size(), 1U);
+    EXPECT_EQ(both.options.areas[0].polygon.rings, box(2, 4).rings);
+    ASSERT_EQ(both.warnings.size(), 1U);
+    EXPECT_THAT(both.warnings[0], HasSubstr("feature 7: a part of it lies outside the area"));
+  }
   EXPECT_TRUE(KeepClearInside({}, across).ok());
 }
 

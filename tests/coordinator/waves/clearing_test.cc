@@ -42,12 +42,13 @@ TEST_F(ClearingTest, MeasuresWaterWithoutALevelInTilesThatReachIt) {
 }
 
 TEST_F(ClearingTest, AllTilesTogetherTellOneLevel) {
-  ASSERT_TRUE(clearing_.TakeTallies({1, 0}, std::vector<HeightTally>{{{{300, 5}, {301, 90}}}}).ok());
-  ASSERT_TRUE(clearing_.TakeTallies({0, 0}, std::vector<HeightTally>{{{{301, 50}, {900, 8}}}}).ok());
+  ASSERT_TRUE(clearing_.TakeTallies({1, 0}, std::vector<HeightTally>{{{{300, 5'000'000}, {301, 90'000'000}}}}).ok());
+  ASSERT_TRUE(clearing_.TakeTallies({0, 0}, std::vector<HeightTally>{{{{301, 50'000'000}, {900, 8'000'000}}}}).ok());
   clearing_.Settle(areas_);
   ASSERT_TRUE(areas_[1].level);
   EXPECT_NEAR(*areas_[1].level, 3.015, 1e-9);
   EXPECT_EQ(areas_[1].level_sigma, 0);
+  EXPECT_FALSE(areas_[1].is_mostly_open);
   EXPECT_FALSE(areas_[0].level || areas_[3].level);
   ASSERT_THAT(clearing_.Areas({0, 0}), SizeIs(1));
   EXPECT_NEAR(clearing_.Areas({0, 0})[0].top, 4.515, 1e-9);
@@ -55,6 +56,17 @@ TEST_F(ClearingTest, AllTilesTogetherTellOneLevel) {
   EXPECT_EQ(clearing_.Areas({1, 0})[1].top, std::numeric_limits<double>::infinity());
   ASSERT_THAT(clearing_.Areas({3, 0}), SizeIs(1));
   EXPECT_EQ(clearing_.Areas({3, 0})[0].top, 7.5);
+}
+
+// Of 80 m2 only 15 are there, say at the banks of a hole.
+TEST_F(ClearingTest, LittleSurfaceIsTakenOutAndTellsNoLevel) {
+  ASSERT_TRUE(clearing_.TakeTallies({0, 0}, std::vector<HeightTally>{{{{400, 6'000'000}, {900, 9'000'000}}}}).ok());
+  clearing_.Settle(areas_);
+  EXPECT_FALSE(areas_[1].level);
+  ASSERT_THAT(clearing_.Areas({0, 0}), SizeIs(1));
+  EXPECT_NEAR(clearing_.Areas({0, 0})[0].top, 5.505, 1e-9);
+  EXPECT_TRUE(areas_[1].is_mostly_open);
+  EXPECT_FALSE(areas_[2].is_mostly_open);
 }
 
 TEST_F(ClearingTest, WaterWithoutSurfaceInItHasNoLevelAndTakesNothing) {

@@ -62,6 +62,19 @@ TEST_F(WaterAnswersTest, AnAreaIsTakenForAllHolesOfTheBody) {
   EXPECT_EQ(answers[0].reason, "");
 }
 
+// A canal that is drawn in parts.
+TEST_F(WaterAnswersTest, AreasThatSayTheSameAreTakenTogether) {
+  PlannedHole& hole = AddHole(HoleKind::kOpenI, Box(0, 0, 30, 10), 0);
+  hole.water = 0, hole.area = 300;
+  const auto& answers = Answer({{true, {{Box(0, 0, 10, 10)}}, {}, {}, "west"},
+                                {true, {{Box(10, 0, 19, 10)}}, {}, {}, "middle"},
+                                {true, {{Box(19, 0, 23, 10)}}, {}, {}, "east"}});
+  ASSERT_THAT(answers, SizeIs(3));
+  for (const WaterAnswer& answer : answers) EXPECT_TRUE(answer.taken) << answer.label << ": " << answer.reason;
+  EXPECT_THAT(answers[0].doubt, HasSubstr("m2 of that lie outside it"));
+  EXPECT_EQ(answers[1].doubt, "");
+}
+
 TEST_F(WaterAnswersTest, AnAreaWithoutWaterIsTakenToo) {
   AddHole(HoleKind::kClosed, Box(0, 0, 10, 10));
   EXPECT_TRUE(Answer({{false, {{Box(-1, -1, 11, 11)}}}})[0].taken);
