@@ -25,6 +25,7 @@
 #include "coordinator/report/json_access.h"
 #include "coordinator/report/tile_checks.h"
 #include "worker/check/added_faults.h"
+#include "worker/check/fill_pieces.h"
 #include "worker/check/tile_joins.h"
 
 namespace tilemend {
@@ -34,7 +35,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kMostApart = 0.02;   // metres between fills of overlapping tiles,
 constexpr double kShareApart = 0.01;  // but for this share of the places of a border
-constexpr double kLeftReach = 1;      // metres around a hole that was left
+// The fills of a cell differ from its holes by at most this share of them, and that of the cell. On 84 tiles of real
+// streets, blocks and made cities they were .97 to 1.06 times as large, as triangles reach over the cell's sides.
+constexpr double kAreaOff = 0.1, kAreaOffOfCell = 0.01;
 
 enum Kind {
   kMissingTile,
@@ -48,6 +51,7 @@ enum Kind {
   kNonManifoldEdge,
   kTurnedEdge,
   kFlatTriangle,
+  kFillArea,
   kWaterOffLevel,
   kWaterWithoutFill,
   kFillsApart,
@@ -64,7 +68,7 @@ struct KindText {
 constexpr std::array<KindText, kKinds> kTexts = {{
     {"missing_tiles", "missing tiles", true},
     {"missing_faces", "original faces that are missing or changed", true},
-    {"cleared_faces", "tiles whose cleared faces are not as many as reported", true},
+    {"cleared_faces", "tiles with more faces taken out than reported", true},
     {"missing_files", "missing material files and images", true},
     {"changed_files", "changed material files and images", true},
     {"open_edges", "new open edges", true},
@@ -73,6 +77,7 @@ constexpr std::array<KindText, kKinds> kTexts = {{
     {"nonmanifold_edges", "new edges with more than two triangles", true},
     {"turned_edges", "new edges whose triangles face opposite ways", true},
     {"flat_triangles", "filled triangles without area", true},
+    {"fill_areas", "tiles whose fills are larger or smaller than their holes", true},
     {"water_off_level", "points of water that are not at its level", true},
     {"water_without_fill", "waters without a fill", true},
     {"fills_apart", "places where fills of two tiles are more than 2 cm apart", true},
@@ -100,11 +105,18 @@ struct CheckInput {
   std::set<CellId> chosen;
 };
 
+ReportedOutput ReadOutput(const CheckInput& input) {
+  ReportedOutput reported = ReadReported(input.report);
+  const auto text = ReadFile(absl::StrCat(input.out, "/holes.geojson"));
+  if (text.ok()) AddLeftRims(Json::parse(*text, nullptr, false), input.scene.origin.head<2>(), reported);
+  return reported;
+}
+
 class AcceptanceCheck {
  public:
   explicit AcceptanceCheck(CheckInput input)
       : input_(std::move(input)),
-        reported_(ReadReported(input_.report)),
+        reported_(ReadOutput(input_)),
         rim_(input_.scene, reported_.overlap),
         files_(input_.scene.root, input_.out) {
     for (const KindText& text : kTexts) result_.findings.push_back({text.name, text.label, text.is_fault, 0, {}});
@@ -151,6 +163,7 @@ class AcceptanceCheck {
     const TileChange change = CompareTiles(before.faces, after.faces);
     CheckOriginals(tile.cell, before.faces.mesh, change);
     CheckFaces(t, before.faces.mesh, after.faces.mesh, change);
+    CheckArea(tile.cell, after.faces.mesh, change.added);
     CheckWater(tile.cell, after.faces.mesh, change.added);
     CheckCoarser(tile.cell, before, after);
     if (reported_.has_textures) files_.Compare(before.files);
@@ -178,7 +191,8 @@ class AcceptanceCheck {
     const auto cleared = reported_.cleared.find(cell);
     const int64_t expected = cleared == reported_.cleared.end() ? 0 : cleared->second;
     const int64_t missing = std::ssize(change.missing);
-    if (missing == expected) {
+    // The fill may have put some of what was taken out there again, to the bit.
+    if (missing <= expected) {
       result_.cleared_faces += missing;
       return;
     }
@@ -230,6 +244,23 @@ class AcceptanceCheck {
       is_inner.push_back(inside_fill[t]);
     }
     return {std::move(triangles), std::move(is_inner)};
+  }
+
+  // A fill that took the tile's outline for that of its hole would lie over the tile. A tile that was put back has
+  // none. Holes that do not face up are measured in their own plane, so they may be larger than their fills from above.
+  void CheckArea(CellId cell, const TriMesh& after, const std::vector<bool>& added) {
+    const Grid& grid = input_.scene.grid;
+    const Point2 corner = grid.corner + grid.cell_size.cwiseProduct(Point2(cell.col, cell.row));
+    const AddedArea area = AddedAreaWithin(corner, corner + grid.cell_size, after, added);
+    const auto reported = reported_.filled.find(cell);
+    const double holes = reported == reported_.filled.end() ? 0 : reported->second;
+    const double off = kAreaOff * holes + kAreaOffOfCell * grid.cell_size.prod();
+    const bool is_larger = area.from_above > holes + off;
+    const bool has_none = holes > 0 && std::ranges::find(added, true) == added.end();
+    if (!is_larger && !has_none && area.in_space >= holes - off) return;
+    Add(kFillArea, cell, std::nullopt,
+        absl::StrFormat("cell %d,%d: fills of %.1f m2, holes of %.1f m2", cell.col, cell.row,
+                        is_larger ? area.from_above : area.in_space, holes));
   }
 
   void CheckWater(CellId cell, const TriMesh& after, const std::vector<bool>& added) {
@@ -290,9 +321,8 @@ class AcceptanceCheck {
   }
 
   bool IsAtLeftHole(const Point3& p) const {
-    return std::any_of(reported_.left.begin(), reported_.left.end(), [&](const ReportedOutput::Left& left) {
-      return (left.at - p.head<2>()).norm() <= left.reach + kLeftReach;
-    });
+    return std::any_of(reported_.left.begin(), reported_.left.end(),
+                       [&](const ReportedOutput::Left& left) { return IsAtLeft(left, p.head<2>()); });
   }
 
   void AddBorders() {

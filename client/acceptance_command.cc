@@ -8,19 +8,33 @@
 #include "client/commands.h"
 #include "client/job_flags.h"
 #include "client/output.h"
+#include "client/output_file.h"
 #include "common/util/exit_codes.h"
 #include "common/util/files.h"
 
 namespace tilemend {
 
+namespace {
+
+// A list of an earlier check is replaced, and no other file.
+absl::Status CheckCsv(const std::string& path) {
+  if (path.empty()) return absl::OkStatus();
+  const auto text = ReadFileUpTo(path, int64_t{1} << 30);
+  return CheckOutputFile(path, text.ok() && text->starts_with(AcceptanceCsvHead()));
+}
+
+}  // namespace
+
 int AcceptanceCommand(const Args& args) {
   const auto format = FormatFromFlags(args);
   if (!format.ok()) return PrintUsageError(format.status());
+  const std::string csv = args.Text("csv");
+  if (const absl::Status status = CheckCsv(csv); !status.ok()) return PrintError(status);
   const auto acceptance = CheckAcceptance(args.arguments()[0], args.arguments()[1]);
   if (!acceptance.ok()) return PrintError(acceptance.status());
   PrintWarnings(acceptance->warnings);
-  if (const std::string path = args.Text("csv"); !path.empty()) {
-    const absl::Status written = WriteFileAtomically(path, AcceptanceCsv(*acceptance));
+  if (!csv.empty()) {
+    const absl::Status written = WriteFileAtomically(csv, AcceptanceCsv(*acceptance));
     if (!written.ok()) return PrintError(written);
   }
   const std::string text =

@@ -84,8 +84,10 @@ Json AcceptanceJson(const Acceptance& acceptance) {
           {"warnings", acceptance.warnings}};
 }
 
+std::string_view AcceptanceCsvHead() { return "what,fault,column,row,x,y,z,note\r\n"; }
+
 std::string AcceptanceCsv(const Acceptance& acceptance) {
-  std::string text = "what,fault,column,row,x,y,z,note\r\n";
+  std::string text(AcceptanceCsvHead());
   for (const AcceptanceFinding& finding : acceptance.findings) {
     for (const AcceptancePlace& place : finding.places) {
       absl::StrAppend(&text, finding.name, ",", finding.is_fault ? "yes" : "no", ",");

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "client/acceptance.h"
 
@@ -21,6 +22,8 @@ nlohmann::ordered_json AcceptanceJson(const Acceptance& acceptance);
 // One line a place: what,fault,column,row,x,y,z,note. Quoted as in RFC 4180; a text that a spreadsheet would take for a
 // formula gets an apostrophe before it.
 std::string AcceptanceCsv(const Acceptance& acceptance);
+// Its first line.
+std::string_view AcceptanceCsvHead();
 
 }  // namespace tilemend
 

@@ -315,7 +315,14 @@ int CheckScene(const std::string& path, const Limits& limits, OutputFormat forma
 }  // namespace
 
 int CheckCommand(const Args& args) {
-  if (args.arguments().size() == 2) return AcceptanceCommand(args);
+  if (args.arguments().size() == 2) {
+    for (const char* const flag : {"crease-angle", "spike-angle", "small-component", "small-hole"}) {
+      if (!args.IsGiven(flag)) continue;
+      return PrintUsageError(absl::InvalidArgumentError(
+          absl::StrCat("check: --", flag, " is for one mesh or scene, not for a scene and its output")));
+    }
+    return AcceptanceCommand(args);
+  }
   if (args.IsGiven("csv"))
     return PrintUsageError(absl::InvalidArgumentError("check: --csv needs a scene and an output"));
   const auto format = FormatFromFlags(args);

@@ -10,6 +10,7 @@
 #include "client/commands.h"
 #include "client/demo_scene.h"
 #include "client/output.h"
+#include "common/util/files.h"
 #include "common/util/text.h"
 
 namespace tilemend {
@@ -32,12 +33,16 @@ int DemoCommand(const Args& args) {
   const std::string scene = folder + "/scene", out = folder + "/out";
   // Nothing of somebody else's is written over.
   std::error_code error;
-  const bool is_ours = std::filesystem::exists(scene + "/scene.json", error);
+  const std::string mark = folder + "/.tilemend-demo";
+  const bool is_ours = std::filesystem::exists(mark, error);
   if (!is_ours && std::filesystem::exists(folder, error) && !std::filesystem::is_empty(folder, error)) {
     return PrintError(absl::AlreadyExistsError(
         absl::StrCat(folder, ": exists already, and is no demonstration; name another folder: tilemend demo DIR")));
   }
-  if (const absl::Status status = WriteDemoScene(scene); !status.ok()) return PrintError(status);
+  std::filesystem::create_directories(folder, error);
+  absl::Status status = WriteFileAtomically(mark, "This folder is a demonstration that tilemend writes anew.\n");
+  if (status.ok()) status = WriteDemoScene(scene);
+  if (!status.ok()) return PrintError(status);
   const std::string shown = Printable(folder);
   std::fprintf(stderr, "made %s/scene: %d tiles with a lake and small holes; filling it\n", shown.c_str(),
                kDemoCols * kDemoRows);

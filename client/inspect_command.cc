@@ -4,9 +4,12 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string>
 #include <system_error>
 #include <utility>
 
+#include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "absl/strings/str_join.h"
@@ -200,6 +203,17 @@ absl::Status ProposeWater(const Request& request, const SceneWaves& waves) {
 }
 
 absl::Status CheckOutputs(const Request& request) {
+  const std::set<std::string> given = {request.holes, request.propose_area, request.propose_water};
+  const auto count = (request.holes.empty() ? 0 : 1) + (request.propose_area.empty() ? 0 : 1) +
+                     (request.propose_water.empty() ? 0 : 1);
+  if (std::ssize(given) - (given.contains("") ? 1 : 0) < count) {
+    return absl::InvalidArgumentError("--holes, --propose-area and --propose-water: give each a file of its own");
+  }
+  const std::string ending = absl::AsciiStrToLower(std::filesystem::path(request.holes).extension().string());
+  if (!request.holes.empty() && ending != ".geojson" && ending != ".json") {
+    return absl::InvalidArgumentError(
+        absl::StrCat(request.holes, ": holes are written as GeoJSON; choose a name that ends in .geojson"));
+  }
   if (!request.holes.empty()) TILEMEND_RETURN_IF_ERROR(CheckOutputFile(request.holes, request.overwrite));
   TILEMEND_RETURN_IF_ERROR(CheckIsNew(request.propose_area));
   return request.propose_water.empty() ? absl::OkStatus()

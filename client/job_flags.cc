@@ -1,5 +1,6 @@
 #include "client/job_flags.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
@@ -18,7 +19,11 @@ std::string AbsolutePath(const std::string& path) {
   std::error_code error;
   const std::filesystem::path absolute = std::filesystem::absolute(path, error);
   if (error) return path;
-  std::string normal = absolute.lexically_normal().string();
+  // "link/.." is the folder above the one that the link leads to.
+  const bool goes_up = std::ranges::find(absolute, "..") != absolute.end();
+  const std::filesystem::path real = goes_up ? std::filesystem::weakly_canonical(absolute, error) : absolute;
+  if (error) return path;
+  std::string normal = real.lexically_normal().string();
   while (normal.size() > 1 && normal.back() == '/') normal.pop_back();
   return normal;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "coordinator/report/json_access.h"
 
@@ -10,6 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double kLeftReach = 1;     // metres around the boundary of a hole that was left
 constexpr double kReachOfEdges = 5;  // metres around boundary edges in no loop, for each of them
 
 std::optional<CellId> CellOf(const Json& row) {
@@ -42,12 +44,41 @@ void AddWater(const Json& hole, ReportedOutput& reported) {
   reported.water[*cell].push_back({static_cast<int64_t>(Number(Member(hole, "id"))), fill});
 }
 
+void AddFilledArea(const Json& hole, ReportedOutput& reported) {
+  if (const auto cell = CellOf(hole); cell && Member(hole, "outcome") == "filled") {
+    reported.filled[*cell] += Number(Member(hole, "area_m2"));
+  }
+}
+
 void AddLeftHole(const Json& hole, ReportedOutput& reported) {
   const auto cell = CellOf(hole);
   const auto centre = PlaneOf(Member(hole, "centre"));
   if (!cell || !centre || Member(hole, "outcome") != "left") return;
-  reported.left.push_back({*cell, *centre, Number(Member(hole, "perimeter_m")) / 2, Number(Member(hole, "area_m2")),
-                           Text(Member(hole, "reason"))});
+  reported.left.push_back({.cell = *cell,
+                           .at = *centre,
+                           .reach = Number(Member(hole, "perimeter_m")) / 2,
+                           .hole = static_cast<int64_t>(Number(Member(hole, "id"))),
+                           .area = Number(Member(hole, "area_m2")),
+                           .reason = Text(Member(hole, "reason"))});
+}
+
+// The rings in coordinates of any depth: lists of positions.
+void AddRings(const Json& coordinates, const Point2& origin, std::vector<std::vector<Point2>>& rings) {
+  std::vector<Point2> ring;
+  for (const Json& item : RowsOf(coordinates)) {
+    if (const auto position = PlaneOf(item)) {
+      ring.push_back(*position - origin);
+    } else {
+      AddRings(item, origin, rings);
+    }
+  }
+  if (ring.size() > 1) rings.push_back(std::move(ring));
+}
+
+double DistanceToSegment(const Point2& p, const Point2& a, const Point2& b) {
+  const Point2 way = b - a;
+  const double along = way.squaredNorm() > 0 ? std::clamp((p - a).dot(way) / way.squaredNorm(), 0.0, 1.0) : 0;
+  return (a + along * way - p).norm();
 }
 
 }  // namespace
@@ -56,14 +87,17 @@ ReportedOutput ReadReported(const Json& report) {
   ReportedOutput reported;
   for (const Json& hole : RowsOf(Member(report, "per_hole"))) {
     AddWater(hole, reported);
+    AddFilledArea(hole, reported);
     AddLeftHole(hole, reported);
   }
   for (const Json& row : RowsOf(Member(report, "left"))) {
     const auto cell = CellOf(row);
     const auto at = PlaneOf(Member(row, "at"));
     if (!cell || !at || !Member(row, "hole").is_null()) continue;  // those of holes are above
-    reported.left.push_back(
-        {*cell, *at, kReachOfEdges * Number(Member(row, "open_edges")), 0, Text(Member(row, "reason"))});
+    reported.left.push_back({.cell = *cell,
+                             .at = *at,
+                             .reach = kReachOfEdges * Number(Member(row, "open_edges")),
+                             .reason = Text(Member(row, "reason"))});
   }
   for (const Json& row : RowsOf(Member(Member(report, "cleared"), "tiles"))) {
     if (const auto cell = CellOf(row))
@@ -76,6 +110,31 @@ ReportedOutput ReadReported(const Json& report) {
   }
   reported.has_textures = Text(Member(Member(report, "options"), "textures")) != "off";
   return reported;
+}
+
+void AddLeftRims(const Json& holes, const Point2& origin, ReportedOutput& reported) {
+  std::map<int64_t, std::vector<std::vector<Point2>>> rims;
+  for (const ReportedOutput::Left& left : reported.left) {
+    if (left.hole >= 0) rims[left.hole];
+  }
+  for (const Json& feature : RowsOf(Member(holes, "features"))) {
+    const Json& number = Member(Member(feature, "properties"), "hole");
+    const auto rim = number.is_number_integer() ? rims.find(number.get<int64_t>()) : rims.end();
+    if (rim != rims.end()) AddRings(Member(Member(feature, "geometry"), "coordinates"), origin, rim->second);
+  }
+  for (ReportedOutput::Left& left : reported.left) {
+    if (left.hole >= 0) left.rim = rims[left.hole];
+  }
+}
+
+bool IsAtLeft(const ReportedOutput::Left& left, const Point2& p) {
+  if (left.rim.empty()) return (left.at - p).norm() <= left.reach + kLeftReach;
+  return std::ranges::any_of(left.rim, [&](const std::vector<Point2>& ring) {
+    for (size_t k = 1; k < ring.size(); ++k) {
+      if (DistanceToSegment(p, ring[k - 1], ring[k]) <= kLeftReach) return true;
+    }
+    return false;
+  });
 }
 
 }  // namespace tilemend

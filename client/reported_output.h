@@ -18,8 +18,10 @@ struct ReportedOutput {
   struct Left {
     CellId cell;
     Point2 at{0, 0};
-    double reach = 0;  // metres: all of its boundary is nearer to `at`
-    double area = 0;   // m2
+    double reach = 0;                           // metres: all of its boundary is nearer to `at`
+    int64_t hole = -1;                          // its number; -1: none
+    std::vector<std::vector<Point2>> rim = {};  // its boundary from above; empty: not known
+    double area = 0;                            // m2
     std::string reason;
   };
   // A hole that was filled as water.
@@ -31,12 +33,21 @@ struct ReportedOutput {
   std::vector<Left> left;
   std::map<CellId, std::vector<Water>> water;
   std::map<CellId, int64_t> cleared;  // triangles taken out
+  std::map<CellId, double> filled;    // m2 of its holes that were filled
   double overlap = 0;                 // metres: how far tiles reach over the sides of their cells; 0: they do not
   bool has_textures = true;           // material files and images were to be carried
 };
 
 // Reads a report.json. Members that are missing or of another type count as empty. Linear.
 ReportedOutput ReadReported(const nlohmann::ordered_json& report);
+
+// Takes the boundaries of holes that were left from a holes.geojson, whose coordinates have the scene's origin in them.
+// The same of members. Linear.
+void AddLeftRims(const nlohmann::ordered_json& holes, const Point2& origin, ReportedOutput& reported);
+
+// Whether an edge at p may be open because a hole was left: p lies at its boundary, or, where that is not known, around
+// it. O(points of the boundary).
+bool IsAtLeft(const ReportedOutput::Left& left, const Point2& p);
 
 }  // namespace tilemend
 

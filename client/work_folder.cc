@@ -7,6 +7,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -20,7 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kName[] = "tilemend-run-";
-constexpr char kUnlocked[] = "tilemend-new-";  // until it is locked, so that nobody takes it for one that was left
+constexpr char kMark[] = ".tilemend-work-folder";  // in each: a user's folder may have such a name too
+constexpr char kUnlocked[] = "tilemend-new-";      // until it is locked, so that nobody takes it for one that was left
 
 int OpenFolder(const std::string& path) {
   return ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
@@ -42,6 +44,7 @@ void RemoveLeft(const fs::path& base) {
   for (fs::directory_iterator at(base, error), end; !error && at != end; at.increment(error)) {
     const std::string path = at->path().string();
     if (!absl::StartsWith(at->path().filename().string(), kName)) continue;
+    if (std::error_code unread; !fs::is_regular_file(fs::symlink_status(at->path() / kMark, unread))) continue;
     const int lock = Lock(path);
     if (lock < 0) continue;
     std::error_code ignored;
@@ -62,6 +65,7 @@ absl::StatusOr<WorkFolder> WorkFolder::Make(const std::string& parent) {
     return absl::PermissionDeniedError(
         absl::StrCat(base.string(), ": cannot make a work folder there; choose another with --work"));
   }
+  std::ofstream(fs::path(made) / kMark) << "A folder of tilemend for what it needs while it runs.\n";
   const int lock = Lock(made);  // -1 on a file system without locks: nobody can lock it there to remove it
   const std::string path = (base / absl::StrCat(kName, made.substr(made.size() - 6))).string();
   const bool renamed = ::rename(made.c_str(), path.c_str()) == 0;

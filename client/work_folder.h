@@ -9,8 +9,8 @@
 namespace tilemend {
 
 // Goes away with all that is in it when it is destroyed, and when the process ends for want of memory or threads
-// (EndOnShortage). The next one that is made removes a folder beside it that a killed process left. That is one of the
-// same user that nobody has locked. One at a time in a process.
+// (EndOnShortage). The next one that is made removes a folder beside it that a killed process left. That is one with
+// a mark in it, of the same user, that nobody has locked. One at a time in a process.
 class WorkFolder {
  public:
   // In `parent`, which is made if it is missing; empty: in the system's folder for such things. kPermissionDenied.

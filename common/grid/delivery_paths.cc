@@ -157,6 +157,14 @@ Scene DeliveredScene(Scene scene, const std::string& root) {
   return scene;
 }
 
+Scene FilledScene(Scene scene, const std::string& root) {
+  for (SceneTile& tile : scene.tiles) {
+    const std::string path = OutputPath(tile);
+    if (tile.path.empty() && KindOf(absl::StrCat(root, "/", path)) == PathKind::kFile) tile.path = path;
+  }
+  return scene;
+}
+
 std::string MetadataXml(const Scene& scene) {
   pugi::xml_document document;
   pugi::xml_node declaration = document.append_child(pugi::node_declaration);

@@ -10,6 +10,7 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
 #include "common/grid/scene_sources.h"
+#include "common/util/files.h"
 #include "common/util/folders.h"
 #include "common/util/object_store.h"
 #include "common/util/real_path.h"
@@ -110,8 +111,14 @@ absl::StatusOr<Scene> Load(const std::string& path, const BoundsReader& read_bou
 absl::StatusOr<Scene> LoadScene(const std::string& path, const BoundsReader& read_bounds,
                                 const TilesetReader& read_tileset) {
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, Load(path, read_bounds, read_tileset));
-  // Outputs have it beside a scene.json, too.
-  TILEMEND_RETURN_IF_ERROR(IsThere((fs::path(scene.root) / "metadata.xml").string()).status());
+  // Outputs have it beside a scene.json, too. A scene.json that was written for tiles without numbers may leave the
+  // place to it.
+  const std::string metadata = (fs::path(scene.root) / "metadata.xml").string();
+  TILEMEND_ASSIGN_OR_RETURN(const bool has_metadata, IsThere(metadata));
+  if (has_metadata && !scene.found_by_name && scene.tileset.empty() && scene.crs.empty() && scene.origin.isZero(0)) {
+    TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(metadata));
+    TILEMEND_RETURN_IF_ERROR(ParseMetadata(text, metadata, &scene));
+  }
   TILEMEND_RETURN_IF_ERROR(CheckTreesOfObjects(scene));
   WarnOfLinksOut(scene);
   return scene;

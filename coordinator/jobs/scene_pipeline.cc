@@ -106,8 +106,9 @@ absl::Status WriteDelivery(const Scene& scene, OutputFolder& output) {
 // What says where the tiles lie.
 absl::Status WriteScene(const Scene& scene, OutputFolder& output) {
   if (IsDelivered(scene)) return WriteDelivery(scene, output);
-  if (scene.found_by_name) {
-    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile), SceneJson(scene)));
+  if (scene.found_by_name || scene.tileset.empty()) {  // a tileset says it itself
+    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile),
+                                                 SceneJson(FilledScene(scene, output.path()))));
   }
   TILEMEND_RETURN_IF_ERROR(CarryMetadata(scene, output));
   return WriteTileset(scene, output);

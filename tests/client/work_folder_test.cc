@@ -29,13 +29,16 @@ TEST(WorkFolderTest, IsThereUntilItsEnd) {
 TEST(WorkFolderTest, TakesAwayWhatAnEndedProcessHasLeft) {
   const TemporaryFolder folder;
   folder.Write("tilemend-run-abcdef/jobs/one/blob", "left");
+  folder.Write("tilemend-run-abcdef/.tilemend-work-folder", "");
+  folder.Write("tilemend-run-berlin/report.json", "an output of a user's");
   folder.Write("tilemend-new-abcdef/blob", "just being made");
   folder.Write("tilemend-run-file", "no folder");
   folder.Write("mine/blob", "another's");
   fs::create_directory_symlink(folder / "mine", folder / "tilemend-run-link");
   ASSERT_TRUE(WorkFolder::Make(folder.path()).ok());
   EXPECT_FALSE(fs::exists(folder / "tilemend-run-abcdef"));
-  for (const char* kept : {"tilemend-new-abcdef/blob", "tilemend-run-file", "mine/blob", "tilemend-run-link"}) {
+  for (const char* kept : {"tilemend-run-berlin/report.json", "tilemend-new-abcdef/blob", "tilemend-run-file",
+                           "mine/blob", "tilemend-run-link"}) {
     EXPECT_TRUE(fs::exists(folder / kept)) << kept;
   }
 }

@@ -64,6 +64,22 @@ TEST_F(DeliveryRunTest, AnOutputIsAccepted) {
   EXPECT_THAT(Read("a.csv"), StartsWith("what,fault,column,row,x,y,z,note\r\n"));
 }
 
+TEST_F(DeliveryRunTest, AFillLargerThanItsHoleIsFound) {
+  Json report = Json::parse(Read("out/report.json"));
+  ASSERT_GT(report["per_hole"].size(), 0U);
+  for (Json& hole : report["per_hole"]) hole["area_m2"] = 0.00025;
+  folder_.Write("out/report.json", report.dump());
+  const Json findings = Check(100);
+  EXPECT_GT(Count(findings, "fill_areas"), 0);
+  EXPECT_THAT(findings["fill_areas"]["places"][0]["note"].get<std::string>(), HasSubstr("cell 0,0: fills of "));
+}
+
+// The edges around its holes are none that are new.
+TEST_F(DeliveryRunTest, AnOriginalInPlaceOfAFilledTileIsFound) {
+  folder_.Write(kTile, Read("scene/Data/Tile_+000_+000/Tile_+000_+000.obj"));
+  EXPECT_GT(Count(Check(100), "fill_areas"), 0);
+}
+
 TEST_F(DeliveryRunTest, AChangedOriginalIsFoundWithItsPlace) {
   folder_.Write(kTile,
                 absl::StrReplaceAll(Read(kTile), {{"v 3.000000 2.000000 0.400000", "v 3.000000 2.000000 0.400001"}}));

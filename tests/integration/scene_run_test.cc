@@ -242,8 +242,8 @@ TEST_F(SceneRunTest, AnInterruptedOutputIsCompletedByTheSameCommandOnly) {
   const Ended again = Run(scene, out);
   EXPECT_EQ(again.code, 0) << again.err;
   ExpectComplete(out, TilesBelow(folder_ / "whole"));
-  EXPECT_EQ(FilesBelow(out).size(), 262U)
-      << "256 tiles, the report and its page, holes (twice) and breaklines, results";
+  EXPECT_EQ(FilesBelow(out).size(), 263U)
+      << "256 tiles, the scene, the report and its page, holes (twice) and breaklines, results";
 }
 
 // Whenever it comes: the output is complete, or it can be completed, or there is none.

@@ -29,4 +29,19 @@ std::vector<std::vector<Triangle>> PiecesByEdges(const std::vector<Triangle>& tr
   return pieces;
 }
 
+AddedArea AddedAreaWithin(const Point2& lo, const Point2& hi, const TriMesh& mesh, const std::vector<bool>& added) {
+  AddedArea area;
+  for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!added[t]) continue;
+    const auto [a, b, c] = mesh.triangles[t];
+    const Point3 &p = mesh.points[a], &q = mesh.points[b], &r = mesh.points[c];
+    const Point2 middle = ((p + q + r) / 3).head<2>();
+    if ((middle.array() < lo.array()).any() || (middle.array() >= hi.array()).any()) continue;
+    const Point3 normal = (q - p).cross(r - p);
+    area.from_above += normal.z() / 2;
+    area.in_space += normal.norm() / 2;
+  }
+  return area;
+}
+
 }  // namespace tilemend

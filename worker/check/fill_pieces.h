@@ -12,6 +12,14 @@ namespace tilemend {
 // of their first triangles. Precondition: corners at one position have one number. O(n log n).
 std::vector<std::vector<Triangle>> PiecesByEdges(const std::vector<Triangle>& triangles);
 
+struct AddedArea {
+  double from_above = 0;  // triangles that face down count negative. Of a whole fill it is that of its hole
+  double in_space = 0;
+};
+
+// The area of the added triangles whose middle lies between the corners lo and hi. O(n).
+AddedArea AddedAreaWithin(const Point2& lo, const Point2& hi, const TriMesh& mesh, const std::vector<bool>& added);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_WORKER_CHECK_FILL_PIECES_H_

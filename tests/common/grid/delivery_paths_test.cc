@@ -111,5 +111,16 @@ TEST(DeliveryPathsTest, TheDeliveredSceneHasTheTilesThatAreThere) {
   EXPECT_EQ(delivered.tiles[1].path, "");
 }
 
+TEST(DeliveryPathsTest, TheFilledSceneHasTilesThatWereAdded) {
+  const TemporaryFolder folder;
+  folder.Write("tiles/Tile_+001_+000.ply", "ply\n");
+  Scene scene = SceneOf({"a/a.osgb", "", ""});
+  for (int32_t col = 0; col < 3; ++col) scene.tiles[static_cast<size_t>(col)].cell = {col, 0};
+  const Scene filled = FilledScene(scene, folder.path());
+  EXPECT_EQ(filled.tiles[0].path, "a/a.osgb") << "whether it is there yet or not";
+  EXPECT_EQ(filled.tiles[1].path, "tiles/Tile_+001_+000.ply");
+  EXPECT_EQ(filled.tiles[2].path, "");
+}
+
 }  // namespace
 }  // namespace tilemend
