@@ -135,11 +135,40 @@ JobIdentity IdentityOfKey(const std::string& key) {
   return identity;
 }
 
+namespace {
+
+// Whether an output with the cells `before` has those of the job.
+absl::StatusOr<bool> HasCells(const std::string& before, const std::string& cells, const Scene& scene) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::set<CellId> there, ChooseCells(before, scene));
+  TILEMEND_ASSIGN_OR_RETURN(const std::set<CellId> wanted, ChooseCells(cells, scene));
+  const bool whole = there.empty() || there.size() == scene.tiles.size();
+  return whole || (!wanted.empty() && std::ranges::includes(there, wanted));
+}
+
+// The cells of a job that does some cells of a complete output again, or decides on them: all of the output's, so that
+// its report keeps the others. What did not change is not computed again.
+absl::StatusOr<std::string> CellsDoneAgain(const JobSpec& spec, JobIdentity identity, const FoundOutput& found,
+                                           const Scene& scene) {
+  JobIdentity before = found.identity;
+  if (!spec.decisions().empty()) before.erase(absl::StrCat("decisions", kFileSuffix));
+  const bool is_same = found.is_complete && !before.empty() && DifferingFlags(identity, before, false).empty();
+  if (spec.cells().empty() || !is_same) return spec.cells();
+  const std::string cells = CellsIn(before);
+  TILEMEND_ASSIGN_OR_RETURN(const bool has_all, HasCells(cells, spec.cells(), scene));
+  return has_all ? cells : spec.cells();
+}
+
+}  // namespace
+
 absl::StatusOr<OutputCells> CellsWithOutput(const JobSpec& spec, const JobIdentity& identity, const Scene& scene) {
   OutputCells result{false, spec.cells()};
-  if (spec.overwrite() || spec.dry_run() || !spec.decisions().empty()) return result;
+  if (spec.dry_run()) return result;
   const std::optional<FoundOutput> found = FindOutput(spec.out());
   if (!found) return result;
+  if (spec.overwrite() || !spec.decisions().empty()) {
+    TILEMEND_ASSIGN_OR_RETURN(result.cells, CellsDoneAgain(spec, identity, *found, scene));
+    return result;
+  }
   if (found->identity.empty()) return RefusedOutput(spec, "");
   if (const auto differences = DifferingFlags(identity, found->identity, false); !differences.empty()) {
     return OfAnotherJob(spec, *found, differences);
@@ -147,12 +176,9 @@ absl::StatusOr<OutputCells> CellsWithOutput(const JobSpec& spec, const JobIdenti
   const std::string before = CellsIn(found->identity);
   if (!found->is_complete && before == spec.cells()) return result;  // the same job goes on
   result.adds = true;
-  TILEMEND_ASSIGN_OR_RETURN(const std::set<CellId> there, ChooseCells(before, scene));
-  TILEMEND_ASSIGN_OR_RETURN(const std::set<CellId> wanted, ChooseCells(spec.cells(), scene));
-  const bool whole = there.empty() || there.size() == scene.tiles.size();
-  const bool has_all = whole || (!wanted.empty() && std::ranges::includes(there, wanted));
+  TILEMEND_ASSIGN_OR_RETURN(const bool has_all, HasCells(before, spec.cells(), scene));
   if (has_all && found->is_complete) return IsComplete(spec);
-  result.cells = has_all ? before : wanted.empty() ? "" : absl::StrCat(before, " ", spec.cells());
+  result.cells = has_all ? before : spec.cells().empty() ? "" : absl::StrCat(before, " ", spec.cells());
   return result;
 }
 

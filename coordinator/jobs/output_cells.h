@@ -38,7 +38,8 @@ struct OutputCells {
 
 // What a job finds in its folder, without a lock on it. kAlreadyExists with OUTPUT_EXISTS if there is a complete output
 // that has its cells, or one of another scene or other options, which the message names. For a job that overwrites or
-// applies decisions (earlier_output.h), a dry run, and a folder without an output of this program: nothing to add to.
+// applies decisions (earlier_output.h): the output's cells, if it has those of the job. For a dry run, and a folder
+// without an output of this program: nothing to add to.
 // Errors of ChooseCells.
 absl::StatusOr<OutputCells> CellsWithOutput(const JobSpec& spec, const JobIdentity& identity, const Scene& scene);
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -172,13 +173,35 @@ TEST_F(OutputCellsTest, CellsWithoutTheDecisionsOfAnOutputAreNotAddedToIt) {
   ExpectAlone(spec);
 }
 
-TEST_F(OutputCellsTest, OverwritingAndDryRunsTakeTheFolderAsItIs) {
+TEST_F(OutputCellsTest, DryRunsTakeTheFolderAsItIs) {
   Complete(Spec(""));
-  JobSpec over = Spec("1,0"), dry = Spec("1,0");
-  over.set_overwrite(true);
+  JobSpec dry = Spec("1,0");
   dry.set_dry_run(true);
-  ExpectAlone(over);
   ExpectAlone(dry);
+}
+
+// The report keeps the cells that are not done again.
+TEST_F(OutputCellsTest, CellsThatAreDoneAgainAreThoseOfTheOutput) {
+  JobSpec over = Spec("1,0"), decide = Spec("1,0");
+  over.set_overwrite(true);
+  decide.set_decisions("/marks.geojson");
+  for (const JobSpec& spec : {over, decide}) {
+    for (const std::string before : {"", "0,0-1,1"}) {
+      Complete(Spec(before), {{"decisions", spec.decisions().empty() ? "" : "abc"}});
+      const auto found = Look(spec);
+      ASSERT_TRUE(found.ok()) << found.status();
+      EXPECT_FALSE(found->adds);
+      EXPECT_EQ(found->cells, before);
+    }
+    Complete(Spec("0,0"));
+    ExpectAlone(spec);
+    Unfinished(Spec(""));
+    ExpectAlone(spec);
+    std::filesystem::remove(folder_ / "out/.tilemend-job");
+  }
+  Complete(Spec(""));
+  over.set_gradation(1.5);
+  ExpectAlone(over);
 }
 
 TEST_F(OutputCellsTest, AFileThatIsNoReportIsNotAddedTo) {
