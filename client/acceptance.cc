@@ -108,7 +108,7 @@ struct CheckInput {
 ReportedOutput ReadOutput(const CheckInput& input) {
   ReportedOutput reported = ReadReported(input.report);
   const auto text = ReadFile(absl::StrCat(input.out, "/holes.geojson"));
-  if (text.ok()) AddLeftRims(Json::parse(*text, nullptr, false), input.scene.origin.head<2>(), reported);
+  if (text.ok()) AddLeftRims(ParseShallow(*text), input.scene.origin.head<2>(), reported);
   return reported;
 }
 
@@ -140,7 +140,7 @@ class AcceptanceCheck {
   void Add(Kind kind, CellId cell, std::optional<Point3> at, std::string note = "") {
     AcceptanceFinding& finding = result_.findings[kind];
     ++finding.count;
-    if (finding.places.size() < kMostAcceptancePlaces) finding.places.push_back({cell, at, std::move(note)});
+    if (finding.places.size() < kMostAcceptancePlaces) finding.places.push_back({cell, std::move(at), std::move(note)});
   }
 
   absl::Status CheckTile(int32_t t) {
@@ -369,7 +369,7 @@ absl::StatusOr<CheckInput> LoadInput(const std::string& in, const std::string& o
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(report_path));
   CheckInput input;
   input.out = out;
-  input.report = Json::parse(text, nullptr, false);
+  input.report = ParseShallow(text);
   if (!input.report.is_object() || !input.report.contains("cells")) {
     return absl::InvalidArgumentError(absl::StrCat(report_path, ": not a report (expected an object with cells)"));
   }

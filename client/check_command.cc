@@ -141,7 +141,7 @@ absl::StatusOr<CheckedScene> SceneAt(const std::string& path) {
     return SceneWithItsArea(path);
   }
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(report_path));
-  const Json report = Json::parse(text, nullptr, false);
+  const Json report = ParseShallow(text);
   if (IsOutput(path) && !(report.is_object() && report.contains("cells"))) {
     return absl::InvalidArgumentError(absl::StrCat(report_path, ": not a report; run the same job again"));
   }

@@ -11,6 +11,7 @@
 #include "client/report_text.h"
 #include "client/unfinished.h"
 #include "common/util/files.h"
+#include "coordinator/report/json_access.h"
 
 namespace tilemend {
 namespace {
@@ -28,7 +29,7 @@ int ReportCommand(const Args& args) {
   const auto finished = path.filename() == "report.json" ? CheckFinished(path.parent_path()) : absl::OkStatus();
   if (!finished.ok()) return PrintError(finished);
   if (!content.ok()) return PrintError(content.status());
-  const Json report = Json::parse(*content, nullptr, false);
+  const Json report = ParseShallow(*content);
   if (!report.is_object() || !report.contains("cells")) {
     return PrintError(absl::InvalidArgumentError(
         absl::StrCat(path.string(), ": not a report (expected a JSON object with the field cells)")));

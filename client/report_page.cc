@@ -60,7 +60,7 @@ std::string ReportPage(const Json& data) {
 absl::Status WriteReportPage(const std::string& out) {
   const std::string report_path = absl::StrCat(out, "/report.json");
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(report_path));
-  const Json report = Json::parse(text, nullptr, false);
+  const Json report = ParseShallow(text);
   if (!report.is_object() || !report.contains("cells")) {
     return absl::InvalidArgumentError(absl::StrCat(report_path, ": not a report (expected an object with cells)"));
   }

@@ -11,6 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr int kDepth = 3;            // of lists around positions: those of a MultiPolygon
 constexpr double kLeftReach = 1;     // metres around the boundary of a hole that was left
 constexpr double kReachOfEdges = 5;  // metres around boundary edges in no loop, for each of them
 
@@ -62,14 +63,14 @@ void AddLeftHole(const Json& hole, ReportedOutput& reported) {
                            .reason = Text(Member(hole, "reason"))});
 }
 
-// The rings in coordinates of any depth: lists of positions.
-void AddRings(const Json& coordinates, const Point2& origin, std::vector<std::vector<Point2>>& rings) {
+// The rings, lists of positions, in coordinates that are at most so deep.
+void AddRings(const Json& coordinates, const Point2& origin, int depth, std::vector<std::vector<Point2>>& rings) {
   std::vector<Point2> ring;
   for (const Json& item : RowsOf(coordinates)) {
     if (const auto position = PlaneOf(item)) {
-      ring.push_back(*position - origin);
-    } else {
-      AddRings(item, origin, rings);
+      ring.emplace_back(*position - origin);
+    } else if (depth > 1) {
+      AddRings(item, origin, depth - 1, rings);
     }
   }
   if (ring.size() > 1) rings.push_back(std::move(ring));
@@ -120,7 +121,7 @@ void AddLeftRims(const Json& holes, const Point2& origin, ReportedOutput& report
   for (const Json& feature : RowsOf(Member(holes, "features"))) {
     const Json& number = Member(Member(feature, "properties"), "hole");
     const auto rim = number.is_number_integer() ? rims.find(number.get<int64_t>()) : rims.end();
-    if (rim != rims.end()) AddRings(Member(Member(feature, "geometry"), "coordinates"), origin, rim->second);
+    if (rim != rims.end()) AddRings(Member(Member(feature, "geometry"), "coordinates"), origin, kDepth, rim->second);
   }
   for (ReportedOutput::Left& left : reported.left) {
     if (left.hole >= 0) left.rim = rims[left.hole];

@@ -37,6 +37,7 @@ bool IsDecided(const Json& feature) { return Member(Member(feature, "properties"
 // holes.geojson without the features of other holes that nobody decided on.
 absl::StatusOr<Json> ReadHoles(const std::string& text, const std::map<int64_t, int64_t>& item_of) {
   const auto is_wanted = [&](int depth, Json::parse_event_t event, const Json& value) {
+    if (depth > kMostDepth && event != Json::parse_event_t::value) return false;
     const bool is_feature = event == Json::parse_event_t::object_end && depth == 2 && value.contains("geometry");
     if (!is_feature) return true;  // the CRS has an object at this depth as well
     const Json& hole = HoleIn(value);

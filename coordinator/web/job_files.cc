@@ -123,7 +123,7 @@ LoadedValues<SceneSight>::Result LoadSight(const JobSpec& spec) {
 
 absl::StatusOr<Json> ReadReport(const std::string& out) {
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadBelow(out, "report.json", kMostReportBytes));
-  Json report = Json::parse(text, nullptr, false);
+  Json report = ParseShallow(text);
   if (!report.is_object()) return absl::DataLossError(absl::StrCat(out, "/report.json: not JSON"));
   return report;
 }

@@ -17,6 +17,7 @@
 #include "common/store/digest.h"
 #include "common/util/error_info.h"
 #include "common/util/status_macros.h"
+#include "common/util/text.h"
 #include "coordinator/web/cell_map.h"
 #include "coordinator/web/open_api.h"
 
@@ -26,6 +27,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr char kJsonType[] = "application/json";
+constexpr size_t kMostErrorText = 1024;  // bytes, as over gRPC
 
 std::string TextOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -50,7 +52,7 @@ absl::StatusOr<HttpAnswer> MessageAnswer(const absl::StatusOr<T>& message) {
 HttpAnswer ErrorAnswer(const absl::Status& status) {
   const ErrorInfo info = GetErrorInfo(status).value_or(ErrorInfo());
   const Json error = {{"code", absl::StatusCodeToString(status.code())},
-                      {"message", std::string(status.message())},
+                      {"message", Shortened(std::string(status.message()), kMostErrorText)},
                       {"reason", info.reason},
                       {"metadata", info.metadata}};
   HttpAnswer answer = JsonAnswer(TextOf({{"error", error}}));

@@ -56,7 +56,10 @@ export interface JobActions { choose: (job: Job) => void; failed: (error: unknow
 
 function steerButtons(job: () => Job, actions: JobActions): { element: HTMLElement; update: (me: Me) => void } {
   const run = (verb: string, body: unknown, failed = actions.failed) => {
-    post(`/v1/${job().name}/${verb}`, body).then(actions.changed, failed);
+    post(`/v1/${job().name}/${verb}`, body).then((answer) => {
+      if (answer.name !== job().name) actions.choose(answer); // it is done again, as a job of its own
+      actions.changed();
+    }, failed);
   };
   // A button that asks once more before it acts.
   const askAgain = (button: HTMLButtonElement, question: string, patience: number) => {
@@ -114,12 +117,13 @@ class JobCard {
   update(job: Job, me: Me, rates: Rates, chosen: boolean, now: number): void {
     this.job = job;
     const { progress } = job, cells = Number(progress.cells), done = Number(progress.cellsDone);
-    this.title.textContent = `${job.name} \u00b7 ${baseName(job.spec.scene)}`;
+    this.title.textContent = `${job.name} \u00b7 ${baseName(job.spec.scene)} \u2192 ${baseName(job.spec.out)}`;
     this.title.title = `${job.spec.scene} \u2192 ${job.spec.out}`;
     this.title.setAttribute('aria-pressed', String(chosen));
     this.state.textContent = stateText(job);
     this.state.className = `state ${job.state.toLowerCase()}`;
-    this.bar.value = isOver(job) && (job.state === 'DONE' || job.state === 'PARTIAL') ? 1 : cells > 0 ? done / cells : 0;
+    const tasks = Number(progress.tasks); // cells are done late: each is written in the end
+    this.bar.value = job.state === 'DONE' || job.state === 'PARTIAL' ? 1 : tasks > 0 ? Number(progress.tasksDone) / tasks : 0;
     this.bar.setAttribute('aria-label', `progress of ${job.name}`);
     this.facts.textContent = [isOver(job) ? '' : progress.phase, `${number(done)} of ${number(cells)} cells`,
       Number(progress.holes) > 0 ? `${number(Number(progress.holesFilled))} of ${number(Number(progress.holes))} holes filled` : '',
