@@ -4,9 +4,10 @@ install(FILES deploy/systemd/tilemend-coordinator.service deploy/systemd/tilemen
   DESTINATION lib/systemd/system)
 install(DIRECTORY deploy/prometheus deploy/grafana deploy/kubernetes deploy/slurm DESTINATION share/doc/tilemend/deploy
   USE_SOURCE_PERMISSIONS PATTERN "*.py" EXCLUDE PATTERN "tls" EXCLUDE)
-install(DIRECTORY docs DESTINATION share/doc/tilemend PATTERN "images" EXCLUDE)
-install(PROGRAMS scripts/make_certificates.sh DESTINATION share/doc/tilemend/scripts)
-install(FILES README.md CHANGELOG.md LICENSE NOTICE SECURITY.md THIRD_PARTY.md DESTINATION share/doc/tilemend)
+install(DIRECTORY docs examples DESTINATION share/doc/tilemend USE_SOURCE_PERMISSIONS PATTERN "__pycache__" EXCLUDE)
+install(PROGRAMS scripts/make_certificates.sh scripts/render.py DESTINATION share/doc/tilemend/scripts)
+install(FILES scripts/packages.txt DESTINATION share/doc/tilemend/scripts)
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE NOTICE SECURITY.md THIRD_PARTY.md DESTINATION share/doc/tilemend)
 
 set(CPACK_PACKAGE_NAME tilemend)
 set(CPACK_RESOURCE_FILE_LICENSE ${CMAKE_SOURCE_DIR}/LICENSE)

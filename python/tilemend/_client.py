@@ -1,6 +1,7 @@
 """A client of the coordinator: jobs over gRPC."""
 from __future__ import annotations
 
+import difflib
 import ipaddress
 import numbers
 import os
@@ -155,13 +156,14 @@ class Client:
             pass
         assert last is not None
         if last.state in ('FAILED', 'CANCELLED'):
-            failed = JobFailed(f'{last.name}: {last.state.lower()}: {last.message}', last.reason)
+            why = f': {last.message}' if last.message else ''
+            failed = JobFailed(f'{last.name}: {last.state.lower()}{why}', last.reason)
             failed.job = last
             raise failed
         return last
 
     def cancel(self, job: Union[str, Job]) -> Job:
-        """Ends a job. Conflict (JOB_OVER) if it is over."""
+        """Ends a job; one that is cancelled stays so. Conflict (JOB_OVER) if it is done or has failed."""
         return _job(self._call(self._jobs.CancelJob, _request(jobs_pb2.CancelJobRequest, name=_name(job))))
 
     def pause(self, job: Union[str, Job]) -> Job:
@@ -253,7 +255,9 @@ def _set(spec: Any, name: str, value: Any) -> None:
     value = value.item() if type(value).__module__ == 'numpy' and hasattr(value, 'item') else value
     field = spec.DESCRIPTOR.fields_by_name.get(name)
     if field is None or name in ('scene', 'out'):
-        raise InvalidInput(f'{name}: there is no such option', 'INVALID_SPEC', {'field': name})
+        near = difflib.get_close_matches(name, set(spec.DESCRIPTOR.fields_by_name) - {'scene', 'out'}, 1)
+        hint = f'; did you mean {near[0]}?' if near else ''
+        raise InvalidInput(f'{name}: there is no such option{hint}', 'INVALID_SPEC', {'field': name})
     if value is None:
         return
     kind, expected = _KINDS_OF_OPTIONS.get(field.cpp_type, (numbers.Real, 'a number'))

@@ -86,7 +86,7 @@ def _group(report: Dict[str, Any], hole: int) -> List[int]:
             return list(item['holes'])
     clusters = {row['id']: row.get('cluster', -1) for row in report['per_hole']}
     if hole not in clusters:
-        raise InvalidInput(f'decisions: the report has no hole {hole}')
+        raise InvalidInput(f'decisions: the report has no hole {hole!r}; holes go by their numbers')
     if clusters[hole] < 0:
         return [hole]
     return [other for other, cluster in clusters.items() if cluster == clusters[hole]]

@@ -13,6 +13,7 @@ from . import _tilemend
 from ._errors import InvalidInput
 from ._report import table_of
 
+_SWITCH = 'true or false'  # as options() has it
 _MOST_ROWS = 2**31 - 1
 
 Progress = Callable[[str, int, int], Any]
@@ -136,11 +137,16 @@ def _check_rows(name: str, array: NDArray[Any]) -> None:
 
 def _texts(given: Dict[str, Any]) -> Dict[str, str]:
     """The options as on the command line."""
+    expected = {row['name']: row['expected'] for row in _tilemend.options()}
     texts = {}
     for name, value in given.items():
         value = value.item() if isinstance(value, np.generic) else value
+        is_switch = expected.get(name) == _SWITCH
         if value is None or value is False:
             continue
+        if isinstance(value, bool) != is_switch and name in expected and not isinstance(value, str):
+            wanted = 'True or False' if is_switch else expected[name]
+            raise TypeError(f'{name}: has type {type(value).__name__}; expected {wanted}')
         if value is True:
             texts[name] = 'true'
         elif isinstance(value, int):

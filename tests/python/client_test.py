@@ -130,7 +130,7 @@ class ClientTest(unittest.TestCase):
                          {**dict.fromkeys(first['holes'], 'water'), **dict.fromkeys(report.review[0]['holes'], 'accept')})
         for bad, text in (({99999: 'open'}, 'the report has no hole 99999'), ({0: 'lake'}, "decisions[0] is 'lake': expected"),
                           ({0: ('water', float('nan'))}, 'with a finite number'), ({0: ('open', 3)}, 'with a finite number'),
-                          ({0: ('water', 'high')}, 'with a finite number'), ({'0': 'open'}, 'the report has no hole 0')):
+                          ({0: ('water', 'high')}, 'with a finite number'), ({'0': 'open'}, "the report has no hole '0'")):
             with self.assertRaises(tilemend.InvalidInput) as caught:
                 report.write_decisions(path, bad)
             self.assertIn(text, str(caught.exception))

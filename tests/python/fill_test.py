@@ -172,7 +172,7 @@ class ErrorTest(unittest.TestCase):
         error = self.expect(tilemend.InvalidInput, "gradation '0.5': expected a number from 1 to 10", gradation=0.5)
         self.assertEqual(error.reason, 'INVALID_SPEC')
         self.expect(ValueError, "gradation 'nan': expected a number", gradation=float('nan'))
-        self.expect(ValueError, "gradation 'true': expected a number", gradation=True)
+        self.expect(TypeError, 'gradation: has type bool; expected a number', gradation=True)
         self.expect(ValueError, "uniform '1': expected true or false", uniform=1)
         self.expect(ValueError, 'gradation: uniform', uniform=True, gradation=2)
         self.expect(ValueError, 'tension: the filler minimum-area has none', filler='minimum-area', tension=1)
