@@ -34,8 +34,8 @@ struct Stretch {
   int layers = 0;
 };
 
-// Where there is surface, metres. Edges of neighbouring faces may end a hair apart: a short stretch without surface says
-// nothing.
+// Where there is surface, metres. Edges of neighbouring faces may end a hair apart: a short stretch without surface
+// says nothing.
 double LengthCovered(const std::vector<Stretch>& stretches) {
   double covered = 0;
   for (const Stretch& s : stretches) covered += s.layers > 0 ? s.end - s.begin : 0;
