@@ -16,8 +16,9 @@ namespace {
 // Of its size: a rim vertex that is closer to the surface needs no wall; at level water one within kFlatWithin.
 constexpr double kLeastHeight = 0.125;
 
-// Where a rim edge passes through the surface, the surface ends beside it: so far from there into its triangle.
-constexpr double kBeside = 0.25;
+// Where a rim edge passes through the surface, the surface ends beside it: so far from there, in metres, as the foot of
+// a wall from an object (coordinator/plan/overlap/wall_feet.h), and no farther than this share of its triangle.
+constexpr double kBeside = 0.02, kMostBeside = 0.25;
 
 double Turn(const Point3& a, const Point3& b, const Point3& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
@@ -126,7 +127,8 @@ class WallRaiser {
     const double below = std::abs(hole_.positions[to].z() - At(b).z());
     const Point3 through = At(a) + above / (above + below) * (At(b) - At(a));
     Point3 beside = through;  // at its height, so that water stays level
-    beside.head<2>() += kBeside * (At(apex) - through).head<2>();
+    const Point2 inward = (At(apex) - through).head<2>();
+    beside.head<2>() += std::min(kBeside / inward.norm(), kMostBeside) * inward;
     beside = RoundedToLattice(beside, hole_.cell->lattice_step);
     beside = RoundedTo(hole_.cell->float32 ? NumberType::kFloat32 : NumberType::kFloat64, beside);
     const bool has_room =
