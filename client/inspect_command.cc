@@ -8,6 +8,7 @@
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
@@ -203,10 +204,9 @@ absl::Status ProposeWater(const Request& request, const SceneWaves& waves) {
 }
 
 absl::Status CheckOutputs(const Request& request) {
-  const std::set<std::string> given = {request.holes, request.propose_area, request.propose_water};
-  const auto count = (request.holes.empty() ? 0 : 1) + (request.propose_area.empty() ? 0 : 1) +
-                     (request.propose_water.empty() ? 0 : 1);
-  if (std::ssize(given) - (given.contains("") ? 1 : 0) < count) {
+  std::vector<std::string> files = {request.holes, request.propose_area, request.propose_water};
+  std::erase(files, "");
+  if (std::set(files.begin(), files.end()).size() < files.size()) {
     return absl::InvalidArgumentError("--holes, --propose-area and --propose-water: give each a file of its own");
   }
   const std::string ending = absl::AsciiStrToLower(std::filesystem::path(request.holes).extension().string());

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "common/mesh/segment_distance.h"
 #include "coordinator/report/json_access.h"
 
 namespace tilemend {
@@ -74,12 +75,6 @@ void AddRings(const Json& coordinates, const Point2& origin, int depth, std::vec
     }
   }
   if (ring.size() > 1) rings.push_back(std::move(ring));
-}
-
-double DistanceToSegment(const Point2& p, const Point2& a, const Point2& b) {
-  const Point2 way = b - a;
-  const double along = way.squaredNorm() > 0 ? std::clamp((p - a).dot(way) / way.squaredNorm(), 0.0, 1.0) : 0;
-  return (a + along * way - p).norm();
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/gis/area_file.h"
+#include "common/mesh/segment_distance.h"
 #include "common/store/digest.h"
 #include "common/util/status_macros.h"
 #include "coordinator/plan/types/meet_tolerance.h"
@@ -16,12 +17,6 @@ namespace {
 // Twice the area of a triangle; positive if it turns left.
 double Turn(const Point2& a, const Point2& b, const Point2& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
-
-double DistanceTo(const Point2& p, const Point2& a, const Point2& b) {
-  const Point2 way = b - a;
-  const double along = way.squaredNorm() > 0 ? std::clamp((p - a).dot(way) / way.squaredNorm(), 0.0, 1.0) : 0;
-  return (a + along * way - p).norm();
 }
 
 enum class Side { kInside, kOutside, kAcross };
@@ -35,7 +30,7 @@ Side SideOf(const std::vector<Point2>& ring, const PlanePolygon& polygon) {
       const Point2 &r = edge[k], &s = edge[(k + 1) % edge.size()];
       for (size_t i = 0; i < ring.size(); ++i) {
         const Point2 &p = ring[i], &q = ring[(i + 1) % ring.size()];
-        if (DistanceTo(p, r, s) <= kMeetTolerance) return Side::kAcross;
+        if (DistanceToSegment(p, r, s) <= kMeetTolerance) return Side::kAcross;
         if (Turn(p, q, r) * Turn(p, q, s) < 0 && Turn(r, s, p) * Turn(r, s, q) < 0) return Side::kAcross;
       }
     }

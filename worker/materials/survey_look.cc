@@ -54,9 +54,10 @@ absl::StatusOr<LookSurvey> SurveyPly(const std::string& root, const std::string&
 }
 
 std::string MissingText(const std::string& name, const std::vector<std::string>& missing) {
-  return absl::StrCat(name, ": ", missing.size(), " files that it names are not there, \"",
-                      Printable(Shortened(missing.front(), 80)), "\" ", missing.size() > 1 ? "the first; " : "; ",
-                      "what they show is taken as it is one level coarser, or as missing");
+  const std::string first = absl::StrCat("\"", Printable(Shortened(missing.front(), 80)), "\"");
+  const std::string others = missing.size() > 1 ? absl::StrCat(" and ", missing.size() - 1, " more") : "";
+  return absl::StrCat(name, ": names ", first, others,
+                      ", not there: the next coarser level is filled in its place, or a hole if there is none");
 }
 
 absl::StatusOr<LookSurvey> SurveyTree(const std::string& path, std::string_view pack, const std::string& name,

@@ -54,8 +54,9 @@ std::optional<size_t> DeciderOf(const Plan& plan, const std::vector<int32_t>& ho
     return decision->second;
   std::vector<double> shares(areas.size(), 0);
   for (size_t a = 0; a < areas.size(); ++a) {
-    const bool counts = areas[a].decision == ReviewDecision::kNone && !LiesAbove(plan, holes, areas[a]);
-    if (counts) shares[a] = region.ShareIn(areas[a]);
+    if (areas[a].decision != ReviewDecision::kNone) continue;
+    const double share = region.ShareIn(areas[a]);
+    if (share > 0 && !LiesAbove(plan, holes, areas[a])) shares[a] = share;
   }
   const auto deciding = FindDecidingArea(region, shares, areas);
   return deciding ? std::optional<size_t>(deciding->area) : std::nullopt;

@@ -36,6 +36,8 @@ TEST(OsgbTileTest, APieceWithoutItsFinerFileIsTheFinest) {
   const auto tile = ReadOsgbTile(pack, "a/Tile.osgb");
   ASSERT_TRUE(tile.ok()) << tile.status();
   EXPECT_TRUE(tile->pieces[4].is_finest);
+  ASSERT_EQ(tile->missing.size(), 1u);
+  EXPECT_THAT(tile->missing[0], HasSubstr("_L2_3.osgb"));
 }
 
 TEST(OsgbTileTest, AFinerFileMayBeNamedInOtherWays) {
