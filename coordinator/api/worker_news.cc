@@ -50,6 +50,7 @@ std::optional<absl::Status> WorkerNews::EndOf(WorkerSync& sync) {
   if (!sync.alive()) return absl::CancelledError("the worker went away");
   if (request.draining() && request.held().empty()) {
     updates_.Apply(WorkerLeft{request.worker()}).IgnoreError();
+    cluster_.left[{request.worker(), request.secret()}] = {request.sequence(), cluster_.options.clock()};
     cluster_.ForgetWorker(request.worker());
     cluster_.events.WorkerLeft(request.worker());
     cluster_.ShowMetrics();

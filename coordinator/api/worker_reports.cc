@@ -38,6 +38,10 @@ std::vector<ResultIntake::Report> WorkerReports::Check(const v1::SyncRequest& re
 }
 
 absl::Status WorkerReports::TakeOver(const v1::SyncRequest& request, const std::string& identity) {
+  if (const auto left = cluster_.left.find({request.worker(), request.secret()});
+      left != cluster_.left.end() && request.sequence() < left->second.sequence) {
+    return absl::AbortedError("this worker has left");
+  }
   const WorkerCaller caller{0, request.secret(), request.release(), identity, cluster_.options.clock()};
   WorkerCaller& known = cluster_.callers.try_emplace(request.worker(), caller).first->second;
   if (IsSameCaller(known, request, identity)) {

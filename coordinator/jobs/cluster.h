@@ -14,6 +14,7 @@
 #include <mutex>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -59,6 +60,12 @@ struct WorkerCaller {
   std::string identity;
   absl::Time first_seen;
   int calls = 0;  // whose results are being checked
+};
+
+// A worker's process that has left. A call of its that comes late must not make it known again.
+struct LeftWorker {
+  uint64_t sequence = 0;  // of the call with which it left
+  absl::Time time;
 };
 
 using ClusterLock = std::unique_lock<std::mutex>;
@@ -111,8 +118,9 @@ struct Cluster {
   bool stopping = false;
   ClusterEvents events;
   CoordinatorState state;
-  std::map<std::string, JobEntry> jobs;         // by id
-  std::map<std::string, WorkerCaller> callers;  // workers, by id
+  std::map<std::string, JobEntry> jobs;                            // by id
+  std::map<std::string, WorkerCaller> callers;                     // workers, by id
+  std::map<std::pair<std::string, std::string>, LeftWorker> left;  // by id and secret; as long as a call can be late
   WorkerTrust trust;
 };
 

@@ -48,6 +48,7 @@ void Housekeeping::Tick() {
     cluster_.trust.RemoveJob(id);
     entry.blobs.reset();
   }
+  std::erase_if(cluster_.left, [&](const auto& left) { return left.second.time + cluster_.options.lease < now; });
   ForgetOldJobs(now);
   also_(now);
   cluster_.ShowMetrics();

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include <array>
+#include <atomic>
 #include <system_error>
 #include <utility>
 
@@ -20,6 +21,40 @@ namespace tilemend {
 namespace {
 
 constexpr absl::Duration kLease = absl::Seconds(10);
+
+using IsDead = std::shared_ptr<std::atomic<bool>>;
+
+// The call under way of a worker that dies is answered, to nobody: cut off, it could reach the coordinator later than
+// what the test does next, and the dead would get a task.
+class MortalLink : public WorkLink {
+ public:
+  MortalLink(std::unique_ptr<WorkLink> link, IsDead is_dead) : link_(std::move(link)), is_dead_(std::move(is_dead)) {}
+  std::unique_ptr<SyncCall> NewSync() override { return std::make_unique<Call>(link_->NewSync(), is_dead_); }
+  absl::StatusOr<std::string> ReadBlob(const std::string& job, const std::string& digest) override {
+    return link_->ReadBlob(job, digest);
+  }
+  absl::Status WriteBlob(const v1::TaskRef& attempt, const std::string& worker, const std::string& digest,
+                         const std::string& bytes) override {
+    return link_->WriteBlob(attempt, worker, digest, bytes);
+  }
+
+ private:
+  class Call : public SyncCall {
+   public:
+    Call(std::unique_ptr<SyncCall> call, IsDead is_dead) : call_(std::move(call)), is_dead_(std::move(is_dead)) {}
+    absl::StatusOr<v1::SyncResponse> Run(const v1::SyncRequest& request) override { return call_->Run(request); }
+    void Interrupt() override {
+      if (!*is_dead_) call_->Interrupt();
+    }
+
+   private:
+    const std::unique_ptr<SyncCall> call_;
+    const IsDead is_dead_;
+  };
+
+  const std::unique_ptr<WorkLink> link_;
+  const IsDead is_dead_;
+};
 
 }  // namespace
 
@@ -85,12 +120,15 @@ Worker& TestCluster::AddWorker(const std::string& name, int threads, StageRunner
 
 Worker& TestCluster::AddWorker(const WorkerOptions& options, StageRunner runner) {
   auto& worker = workers_[options.id];
-  worker = std::make_unique<Worker>(options, NewLink(), std::move(runner), *MetricsRegistry::Null());
-  return *worker;
+  worker.is_dead = std::make_shared<std::atomic<bool>>(false);
+  worker.worker = std::make_unique<Worker>(options, std::make_unique<MortalLink>(NewLink(), worker.is_dead),
+                                           std::move(runner), *MetricsRegistry::Null());
+  return *worker.worker;
 }
 
 void TestCluster::KillWorker(const std::string& name) {
-  workers_.at(name)->Abandon();
+  *workers_.at(name).is_dead = true;
+  workers_.at(name).worker->Abandon();
   workers_.erase(name);
 }
 
@@ -103,7 +141,7 @@ void TestCluster::Restart(const std::function<void(const std::string&)>& meanwhi
 }
 
 void TestCluster::ExpireLeases() {
-  clock_.Advance(2 * kLease);
+  clock_.AdvanceWhenSeen(2 * kLease);  // by the tick, with the lock held: a call in between would renew its lease
   coordinator_->Tick();
 }
 

@@ -3,12 +3,14 @@
 #ifndef TILEMEND_TESTS_SUPPORT_TEST_CLUSTER_H_
 #define TILEMEND_TESTS_SUPPORT_TEST_CLUSTER_H_
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <thread>
 
 #include "absl/time/time.h"
 #include "common/metrics/prometheus_registry.h"
@@ -23,18 +25,30 @@ namespace tilemend {
 // A clock that moves only when it is told to.
 class FakeClock {
  public:
-  absl::Time Now() const {
+  absl::Time Now() {
     std::lock_guard<std::mutex> lock(mutex_);
+    if (std::this_thread::get_id() == jumper_) {
+      now_ += jump_;
+      jumper_ = {};
+    }
     return now_;
   }
   void Advance(absl::Duration by) {
     std::lock_guard<std::mutex> lock(mutex_);
     now_ += by;
   }
+  // As the calling thread looks at it the next time: nobody sees the later time before it does.
+  void AdvanceWhenSeen(absl::Duration by) {
+    std::lock_guard<std::mutex> lock(mutex_);
+    jumper_ = std::this_thread::get_id();
+    jump_ = by;
+  }
 
  private:
-  mutable std::mutex mutex_;
+  std::mutex mutex_;
   absl::Time now_ = absl::FromUnixSeconds(1'000'000'000);
+  std::thread::id jumper_;  // none: the time stands still
+  absl::Duration jump_;
 };
 
 // A folder that is gone with the test.
@@ -105,6 +119,10 @@ class TestCluster {
   v1::Job WaitFor(const std::string& name);
 
  private:
+  struct OneWorker {
+    std::unique_ptr<Worker> worker;
+    std::shared_ptr<std::atomic<bool>> is_dead;
+  };
   void StartCoordinator();
 
   ClusterOptions options_;
@@ -113,7 +131,7 @@ class TestCluster {
   PrometheusRegistry metrics_;
   std::unique_ptr<Coordinator> coordinator_;
   std::unique_ptr<CoordinatorServer> server_;
-  std::map<std::string, std::unique_ptr<Worker>> workers_;
+  std::map<std::string, OneWorker> workers_;
   int submitted_ = 0;
 };
 

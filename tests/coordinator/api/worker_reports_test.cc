@@ -42,6 +42,17 @@ TEST_F(WorkerReportsTest, AWorkersNameIsItsOwn) {
   Sync(first);
 }
 
+TEST_F(WorkerReportsTest, ALateCallOfAWorkerThatHasLeftGetsNoTask) {
+  const v1::SyncRequest late = NewSync();
+  v1::SyncRequest last = NewSync();
+  last.set_draining(true);
+  EXPECT_TRUE(Sync(last).leave());
+  ASSERT_TRUE(calls_.jobs.CreateJob(NewRequest()).ok());
+  EXPECT_TRUE(absl::IsAborted(SyncAndWait(calls_.work, late).status()));
+  EXPECT_EQ(calls_.cluster.ListWorkers({})->workers_size(), 0);
+  AwaitTask();  // of a new one of that name
+}
+
 class LookingWorkerTest : public CoordinatorTest {
  protected:
   static ClusterOptions Seen() {
