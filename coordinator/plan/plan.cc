@@ -258,10 +258,10 @@ Plan PlanGrid(const PlanInput& input, const PlanOptions& options, const TileLayo
   plan.borders = layout.borders;
   if (layout.joint) {
     PlanOverlapping(input, layout, options, plan);
-    RefuseTilesThatFaceDown(input, plan);
   } else {
     PlanPart(input, input, layout.lines, options, plan);
   }
+  RefuseTilesThatFaceDown(input, plan);
   return plan;
 }
 

@@ -24,6 +24,8 @@ constexpr size_t kTellingEdges = 8;
 constexpr double kFacesAlike = 0.2;
 // No surface is taken to rise from the rim of a hole more steeply than this.
 constexpr double kSteepestRise = 3;
+// Vertices of a piece that are asked whether they lie in a hole: more tell the same.
+constexpr size_t kVoters = 9;
 
 // Whether the surface along a loop faces up, and the loop does not cross itself seen from above.
 bool BoundsHeights(const HoleSite& site, const ClosedLoop& loop) {
@@ -63,6 +65,15 @@ double RiseIn(const HoleSite& site, const ClosedLoop& hole) {
   return slope * std::sqrt(hole.vector_area.norm() / std::numbers::pi);
 }
 
+// Whether a point is so near that it can lie within a hole. Its surface rises by at most kSteepestRise times half its
+// extent, and an edge is at most as long as that extent.
+bool HasNear(const HoleSite& site, const ClosedLoop& hole, const Point3& p) {
+  Eigen::AlignedBox3d box;
+  for (const RimSegment& s : hole.segments) box.extend(site.position[s.from]);
+  return box.squaredExteriorDistance(p) <=
+         (kSteepestRise / 2 + 1) * (kSteepestRise / 2 + 1) * box.diagonal().squaredNorm();
+}
+
 }  // namespace
 
 ClosedLoop ReadLoop(const HoleSite& site, std::vector<RimSegment> segments, PieceBoundaries& pieces) {
@@ -89,11 +100,11 @@ ClosedLoop ReadLoop(const HoleSite& site, std::vector<RimSegment> segments, Piec
   return loop;
 }
 
-bool LiesIn(const HoleSite& site, const ClosedLoop& piece, const ClosedLoop& hole) {
-  if (piece.vector_area.norm() >= hole.vector_area.norm()) return false;
-  const Point3 p = MiddleOf(site, piece);
+namespace {
+
+// Whether a point lies within a hole's boundary and near its surface, of which `rise` is known.
+bool IsWithin(const HoleSite& site, const Point3& p, const ClosedLoop& hole, double rise) {
   const Eigen::Vector3d normal = hole.vector_area.normalized();
-  if (piece.normal.dot(normal) <= kFacesAlike) return false;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double angle = 0, edge = 0, below = kInfinity, above = -kInfinity;
   for (const RimSegment& s : hole.segments) {
@@ -105,8 +116,26 @@ bool LiesIn(const HoleSite& site, const ClosedLoop& piece, const ClosedLoop& hol
     below = std::min(below, off);
     above = std::max(above, off);
   }
-  const double rise = RiseIn(site, hole);
   return angle > std::numbers::pi && below + std::min(rise, 0.0) < edge && above + std::max(rise, 0.0) > -edge;
+}
+
+}  // namespace
+
+bool LiesIn(const HoleSite& site, const ClosedLoop& piece, const ClosedLoop& hole) {
+  if (piece.vector_area.norm() >= hole.vector_area.norm()) return false;
+  if (piece.normal.dot(hole.vector_area.normalized()) <= kFacesAlike) return false;
+  const Point3 middle = MiddleOf(site, piece);
+  if (!HasNear(site, hole, middle)) return false;
+  const double rise = RiseIn(site, hole);
+  if (IsWithin(site, middle, hole, rise)) return true;
+  // The middle of a piece that is curved as a C lies beside it.
+  const size_t step = std::max<size_t>(1, piece.segments.size() / kVoters);
+  size_t voters = 0, within = 0;
+  for (size_t k = 0; k < piece.segments.size(); k += step) {
+    ++voters;
+    within += IsWithin(site, site.position[piece.segments[k].from], hole, rise);
+  }
+  return 2 * within > voters;
 }
 
 }  // namespace tilemend

@@ -1,6 +1,7 @@
 #include "coordinator/plan/hole/hole_regions.h"
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -34,17 +35,32 @@ bool WindAround(const std::vector<RimSegment>& segments, const Point2& p, const 
   return winding > 0;
 }
 
-// Makes a piece that faces up an island of the open hole that it lies in.
-bool PlaceInOpen(const HoleSite& site, const ClosedLoop& outline, OpenHoles& open) {
+// Makes a piece that faces up an island of the hole that it lies in, seen from above. In a pond on an island of a lake
+// there are two: the smaller one is it.
+bool PlaceInPlane(const HoleSite& site, const ClosedLoop& outline, OpenHoles& open, std::vector<ClosedHole>& closed) {
   const Point2 p = site.position[outline.segments[0].from].head<2>();
+  double least = std::numeric_limits<double>::infinity();
+  PlannedHole* in_open = nullptr;
+  ClosedHole* in_closed = nullptr;
   for (const OpenHoles::Place& place : open.places) {
-    if (!Contains(open.regions[place.regions], place.component, p, site.position)) continue;
-    PlannedHole& hole = open.holes[place.hole];
-    hole.segments.insert(hole.segments.end(), outline.segments.begin(), outline.segments.end());
-    hole.area += outline.vector_area.z();  // negative
-    return true;
+    const PlanarRegions& regions = open.regions[place.regions];
+    const double area = regions.area[static_cast<size_t>(place.component)];
+    if (area >= least || !Contains(regions, place.component, p, site.position)) continue;
+    least = area;
+    in_open = &open.holes[place.hole];
   }
-  return false;
+  for (ClosedHole& hole : closed) {
+    if (!hole.Projects() || hole.regions.area[0] >= least || !Contains(hole.regions, 0, p, site.position)) continue;
+    least = hole.regions.area[0];
+    in_closed = &hole;
+  }
+  if (in_closed != nullptr) {
+    in_closed->islands.push_back(outline.segments);
+  } else if (in_open != nullptr) {
+    in_open->segments.insert(in_open->segments.end(), outline.segments.begin(), outline.segments.end());
+    in_open->area += outline.vector_area.z();  // negative
+  }
+  return in_closed != nullptr || in_open != nullptr;
 }
 
 // The same of open holes whose boundary crosses itself.
@@ -59,21 +75,20 @@ bool PlaceInFolded(const HoleSite& site, const ClosedLoop& outline, OpenHoles& o
   return false;
 }
 
-// Makes a piece an island of the closed hole that it lies in: seen from above, or else in space.
-bool PlaceInClosed(const HoleSite& site, const ClosedLoop& outline, std::vector<ClosedHole>& closed) {
-  const Point2 p = site.position[outline.segments[0].from].head<2>();
+// Makes a piece an island of the smallest closed hole that it lies in, in space.
+bool PlaceInSpace(const HoleSite& site, const ClosedLoop& outline, std::vector<ClosedHole>& closed) {
+  double least = std::numeric_limits<double>::infinity();
+  ClosedHole* found = nullptr;
   for (ClosedHole& hole : closed) {
-    if (!outline.faces_up || !hole.Projects() || !Contains(hole.regions, 0, p, site.position)) continue;
-    hole.islands.push_back(outline.segments);
-    return true;
+    const double area = hole.loop.vector_area.norm();
+    if (area >= least || !LiesIn(site, outline, hole.loop)) continue;
+    least = area;
+    found = &hole;
   }
-  for (ClosedHole& hole : closed) {
-    if (!LiesIn(site, outline, hole.loop)) continue;
-    hole.islands.push_back(outline.segments);
-    hole.regions = {};  // with the piece it does not project
-    return true;
-  }
-  return false;
+  if (found == nullptr) return false;
+  found->islands.push_back(outline.segments);
+  found->regions = {};  // with the piece it does not project
+  return true;
 }
 
 PlannedHole PlanClosed(const HoleSite& site, CellId cell, const ClosedHole& closed) {
@@ -110,8 +125,9 @@ FoundHoles FindHoles(const HoleSite& site, const CellBoundary& boundary) {
   }
   FoundHoles found;
   for (const ClosedLoop& outline : outlines) {
-    const bool in_open = outline.faces_up && (PlaceInOpen(site, outline, open) || PlaceInFolded(site, outline, open));
-    if (in_open || PlaceInClosed(site, outline, closed)) continue;
+    const bool in_plane =
+        outline.faces_up && (PlaceInPlane(site, outline, open, closed) || PlaceInFolded(site, outline, open));
+    if (in_plane || PlaceInSpace(site, outline, closed)) continue;
     ++found.outer_rims;
     found.left.push_back({boundary.cell, "outline of a detached piece of surface", -1,
                           static_cast<int64_t>(outline.segments.size()), false});

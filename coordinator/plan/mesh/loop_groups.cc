@@ -31,6 +31,9 @@ class Grouper {
 
   LoopGroups Run() {
     FindPairs();
+    for (size_t l = 0; l < loops_.size(); ++l) {
+      if (!is_outline_[l] && !partner_[l]) holes_.push_back(l);
+    }
     LoopGroups groups;
     std::vector<size_t> hole_of(loops_.size(), loops_.size());
     for (size_t l = 0; l < loops_.size(); ++l) {
@@ -106,8 +109,8 @@ class Grouper {
     const GridLines lines;
     const HoleSite site{area, lines, rim_, position_};
     std::optional<size_t> best;
-    for (size_t l = 0; l < loops_.size(); ++l) {
-      if (is_outline_[l] || partner_[l] || loops_[l].piece == loops_[outline].piece) continue;
+    for (const size_t l : holes_) {
+      if (loops_[l].piece == loops_[outline].piece) continue;
       if (best && loops_[l].vector_area.norm() >= loops_[*best].vector_area.norm()) continue;
       if (AreNear(l, outline) && LiesIn(site, AsClosed(outline), AsClosed(l))) best = l;
     }
@@ -137,6 +140,7 @@ class Grouper {
   std::vector<Point3> position_;                // of rim points
   std::vector<double> radius_;                  // of each loop, about its middle
   std::vector<std::optional<size_t>> partner_;  // the loop that each one faces
+  std::vector<size_t> holes_;                   // loops that are neither outlines nor have a partner
 };
 
 }  // namespace

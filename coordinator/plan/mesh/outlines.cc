@@ -1,6 +1,7 @@
 #include "coordinator/plan/mesh/outlines.h"
 
 #include <map>
+#include <utility>
 
 namespace tilemend {
 namespace {
@@ -27,15 +28,16 @@ std::vector<bool> FindOutlines(std::span<const MeshLoop> loops, std::span<const 
     const auto [it, fresh] = widest.try_emplace(loops[l].piece, l);
     if (!fresh && loops[l].vector_area.dot(way) > loops[it->second].vector_area.dot(way)) it->second = l;
   }
+  std::map<std::pair<int32_t, int32_t>, std::vector<size_t>> touching;  // by piece and group
+  for (size_t l = 0; l < loops.size(); ++l) touching[{loops[l].piece, loops[l].group}].push_back(l);
   std::vector<bool> outline(loops.size(), false);
   for (const auto& [piece, l] : widest) {
     const double area = piece_areas[static_cast<size_t>(piece)];
     const double openness = area > 0 ? open.at(piece).norm() / area : 1;
     outline[l] = openness - kShareOfTurn * loops[l].Turn() > kOutline;
     if (!outline[l]) continue;
-    for (size_t k = 0; k < loops.size(); ++k) {
-      const bool along = loops[k].group == loops[l].group && loops[k].piece == piece && !loops[k].IsSlit();
-      if (along && loops[k].Turn() < kTurnsAlong) outline[k] = true;
+    for (const size_t k : touching.at({piece, loops[l].group})) {
+      if (!loops[k].IsSlit() && loops[k].Turn() < kTurnsAlong) outline[k] = true;
     }
   }
   return outline;

@@ -127,5 +127,16 @@ TEST(LiesInTest, GoesAsHighAsASurfaceThatLeansInFromTheRimRises) {
   EXPECT_TRUE(LiesIn(scene.Site(), Read(scene, 1), Read(scene, 0)));
 }
 
+TEST(LiesInTest, APieceThatIsCurvedAsACLiesInTheHoleThatItsVerticesLieIn) {
+  // The hole is a C, and the piece a thinner one within; the middle of either lies in its mouth.
+  const Loop3 hole = {{0, 0, 0}, {0, 9, 0}, {9, 9, 0}, {9, 6, 0}, {3, 6, 0}, {3, 3, 0}, {9, 3, 0}, {9, 0, 0}};
+  const Loop3 piece = {{1, 1, 0}, {8, 1, 0}, {8, 2, 0}, {2, 2, 0}, {2, 7, 0}, {8, 7, 0}, {8, 8, 0}, {1, 8, 0}};
+  const Loop3 mouth = PieceLoop(5, 4, 6, 5);
+  const HoleScene scene({hole, piece, mouth});
+  const HoleSite site = scene.Site();
+  EXPECT_TRUE(LiesIn(site, Read(scene, 1), Read(scene, 0)));
+  EXPECT_FALSE(LiesIn(site, Read(scene, 2), Read(scene, 0))) << "what lies in the mouth is outside";
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -33,6 +33,20 @@ TEST(FindHolesTest, MakesAPieceAnIslandOfTheHoleThatItLiesIn) {
   EXPECT_EQ(found.outer_rims, 0);
 }
 
+TEST(FindHolesTest, MakesAPieceAnIslandOfTheInnermostHole) {
+  const std::vector<Loop3> nested = {HoleLoop(1, 1, 9, 9), PieceLoop(2, 2, 8, 8), HoleLoop(3, 3, 7, 7),
+                                     PieceLoop(4, 4, 5, 5)};
+  for (const bool reversed : {false, true}) {
+    std::vector<Loop3> loops = nested;
+    if (reversed) std::reverse(loops.begin(), loops.end());
+    FoundHoles found = Find(HoleScene(loops));
+    ASSERT_EQ(found.holes.size(), 2U);
+    std::sort(found.holes.begin(), found.holes.end(), [](const auto& a, const auto& b) { return a.area < b.area; });
+    EXPECT_EQ(found.holes[0].area, 16 - 1);
+    EXPECT_EQ(found.holes[1].area, 64 - 36);
+  }
+}
+
 TEST(FindHolesTest, LeavesAPieceInNoHoleAsAnOuterRim) {
   const HoleScene scene({HoleLoop(1, 1, 3, 3), PieceLoop(6, 6, 8, 8)});
   const FoundHoles found = Find(scene);
