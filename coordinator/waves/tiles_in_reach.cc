@@ -23,9 +23,7 @@ bool IsExact(const Plan& plan, CellId a, CellId b) {
 
 std::set<CellId> TilesInReach(const CellHoles& cell, const Plan& plan, const PlanInput& input) {
   std::vector<Eigen::AlignedBox3d> reaches;
-  for (const CellHole& hole : cell.holes) {
-    if (!hole.open && !hole.level) reaches.push_back(ReachOf(cell, hole));
-  }
+  for (const CellHole& hole : cell.holes) reaches.push_back(ReachOf(cell, hole));
   if (reaches.empty()) return {};
   std::set<CellId> candidates = {cell.cell}, tiles;
   for (const Side side : kSides) {

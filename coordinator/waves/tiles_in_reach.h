@@ -9,8 +9,8 @@
 
 namespace tilemend {
 
-// Of the cell's own tile and those that share its border exactly, those within reach (ReachOf) of a closed hole of the
-// cell. Holes of water do not count. Tiles that overlap are each filled for themselves.
+// Of the cell's own tile and those that share its border exactly, those within reach (ReachOf) of a hole of the cell.
+// Tiles that overlap are each filled for themselves.
 std::set<CellId> TilesInReach(const CellHoles& cell, const Plan& plan, const PlanInput& input);
 
 }  // namespace tilemend

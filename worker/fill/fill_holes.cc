@@ -4,7 +4,6 @@
 #include <functional>
 #include <numbers>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "worker/fill/crease/crease_fill.h"
@@ -14,6 +13,7 @@
 #include "worker/fill/hole/projection_frame.h"
 #include "worker/fill/plane/folded_fill.h"
 #include "worker/fill/plane/plane_fill.h"
+#include "worker/fill/space/earlier_patches.h"
 #include "worker/fill/space/mend_crossings.h"
 #include "worker/fill/space/patch_creases.h"
 #include "worker/fill/space/patch_soundness.h"
@@ -67,10 +67,10 @@ struct Way {
 class HoleFiller {
  public:
   HoleFiller(const CellHoles& cell, const CellHole& hole, const CellBand& band, const FillOptions& options,
-             const SurfaceNear& near, std::span<const HolePatch> earlier)
+             const SurfaceNear& near, const EarlierPatches& earlier)
       : options_(options),
         hole_(MakeLocalHole(cell, band, hole)),
-        crossings_(hole_, ReachOf(cell, hole), near, earlier) {}
+        crossings_(hole_, ReachOf(cell, hole), near, &earlier) {}
 
   HolePatch Run() {
     FillFailure failure = FillFailure::kNoArea;
@@ -266,12 +266,14 @@ std::vector<HolePatch> FillHoles(const CellHoles& cell, const FillOptions& optio
                                  const std::function<void()>& hole_done) {
   CellBand band(cell);
   std::vector<HolePatch> patches;
+  EarlierPatches earlier(cell, patches);
   for (const CellHole& hole : cell.holes) {
     if (options.refine.cancelled()) break;
-    HolePatch patch = HoleFiller(cell, hole, band, options, near, patches).Run();
+    HolePatch patch = HoleFiller(cell, hole, band, options, near, earlier).Run();
     patch.hole = hole.id;
     if (&hole != &cell.holes.back()) band.Add(hole, patch);
     patches.push_back(std::move(patch));
+    earlier.TakeLast();
     if (hole_done) hole_done();
   }
   return patches;

@@ -9,6 +9,7 @@
 
 #include "common/mesh/disjoint_sets.h"
 #include "common/mesh/rounding.h"
+#include "common/mesh/triangle_shape.h"
 #include "common/mesh/winding/wound_region.h"
 #include "worker/fill/plane/plane_fill.h"
 #include "worker/fill/region/planar_region.h"
@@ -117,14 +118,27 @@ class FoldCloser {
     return true;
   }
 
+  bool HasArea(const std::vector<int32_t>& loop) const {
+    for (size_t k = 1; k + 1 < loop.size(); ++k) {
+      const SpaceTriangle t = {whole_.positions[loop[0]], whole_.positions[loop[k]], whole_.positions[loop[k + 1]]};
+      if (TwiceVectorArea(t).squaredNorm() > 0) return true;
+    }
+    return false;
+  }
+
   bool IsOnSurface(const std::vector<int32_t>& loop) const {
     const bool of_rim = std::all_of(loop.begin(), loop.end(), [&](int32_t v) { return v < hole_.size(); });
     return of_rim &&
            hole_.band->HasTriangle({hole_.vertices[loop[0]], hole_.vertices[loop[1]], hole_.vertices[loop[2]]});
   }
 
-  // Closes a loop about a new vertex in its middle: possible where every chord is an edge already.
+  // Closes a loop about a new vertex in its middle: possible where every chord is an edge already. A loop without area,
+  // as where a vertex of one side lies on an edge of the other, no triangle closes.
   void AddFan(const std::vector<int32_t>& loop) {
+    if (!HasArea(loop)) {
+      patch_.failure = FillFailure::kFlatTriangle;
+      return;
+    }
     Point3 middle = Point3::Zero();
     for (const int32_t v : loop) middle += whole_.positions[v];
     const auto centre = hole_.size() + static_cast<int32_t>(patch_.new_points.size());

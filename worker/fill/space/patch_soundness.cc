@@ -97,20 +97,14 @@ const std::vector<SpaceTriangle>& CrossingCheck::Surroundings(const AlignedBox3d
   if (looked_at_.contains(box)) return surroundings_;
   looked_at_.extend(box);
   surroundings_.clear();
-  const CellHoles& cell = *hole_.cell;
   if (near_) {
     surroundings_ = near_(looked_at_.min(), looked_at_.max());
   } else {
-    const std::vector<Point3>& points = cell.band.points;
-    for (const Triangle& t : cell.band.triangles) surroundings_.push_back({points[t[0]], points[t[1]], points[t[2]]});
+    const TriMesh& band = hole_.cell->band;
+    const std::vector<Point3>& points = band.points;
+    for (const Triangle& t : band.triangles) surroundings_.push_back({points[t[0]], points[t[1]], points[t[2]]});
   }
-  for (const HolePatch& patch : earlier_) {
-    const auto at = [&](int32_t v) { return v >= 0 ? cell.vertices[v].position : patch.new_points[-1 - v]; };
-    for (const Triangle& t : patch.triangles) {
-      const SpaceTriangle triangle = {at(t[0]), at(t[1]), at(t[2])};
-      if (looked_at_.intersects(BoxOf(triangle))) surroundings_.push_back(triangle);
-    }
-  }
+  if (earlier_ != nullptr) earlier_->AppendNear(looked_at_, surroundings_);
   if (knows_crossed_) LeaveOutCrossed();
   return surroundings_;
 }

@@ -10,6 +10,7 @@
 #include "worker/fill/hole/fill_options.h"
 #include "worker/fill/hole/local_patch.h"
 #include "worker/fill/hole/projection_frame.h"
+#include "worker/fill/space/earlier_patches.h"
 
 namespace tilemend {
 
@@ -27,10 +28,10 @@ class CrossingCheck {
  public:
   //   reach    where a patch may go (ReachOf)
   //   near     gives the surface; without it the band stands for it. Asked when a patch is first tested
-  //   earlier  patches of the cell's holes before
+  //   earlier  patches of the cell's holes before; null: there is none
   // `hole` and `earlier` must outlive it.
   CrossingCheck(const LocalHole& hole, const Eigen::AlignedBox3d& reach, SurfaceNear near,
-                std::span<const HolePatch> earlier)
+                const EarlierPatches* earlier)
       : hole_(hole), reach_(reach), near_(std::move(near)), earlier_(earlier) {}
 
   // Whether the patch keeps within reach.
@@ -54,7 +55,7 @@ class CrossingCheck {
   const LocalHole& hole_;
   const Eigen::AlignedBox3d reach_;
   const SurfaceNear near_;
-  std::span<const HolePatch> earlier_;
+  const EarlierPatches* const earlier_;
   Eigen::AlignedBox3d looked_at_;
   std::vector<SpaceTriangle> surroundings_;  // within looked_at_, without those that pass through the rim once known
   bool knows_crossed_ = false, rim_is_crossed_ = false;

@@ -107,8 +107,16 @@ TEST_F(PatchSoundnessTest, CountsPatchesMadeBefore) {
   earlier.new_points = {Point3(0.4, -4.3, -1), Point3(0.41, -4.3, -1), Point3(0.4, -4.3, 1)};
   earlier.triangles = {{-1, -2, -3}};
   const SurfaceNear none = [](const Point3&, const Point3&) { return std::vector<SpaceTriangle>(); };
-  const std::vector<HolePatch> before = {earlier};
-  EXPECT_TRUE(CrossingCheck(hole_, ReachOf(work_, work_.holes[0]), none, before).Crosses(patch_));
+  std::vector<HolePatch> patches;
+  EarlierPatches before(work_, patches);
+  // Some that lie elsewhere: the one is found among them, whatever their number.
+  for (int k = 0; k < 6; ++k) {
+    patches.push_back(k == 2 ? earlier : HolePatch());
+    if (k > 2) patches.back() = {.new_points = std::vector<Point3>(3, Point3(90, 90, k)), .triangles = {{-1, -2, -3}}};
+    before.TakeLast();
+    CrossingCheck check(hole_, ReachOf(work_, work_.holes[0]), none, &before);
+    EXPECT_EQ(check.Crosses(patch_), k >= 2) << k;
+  }
 }
 
 TEST_F(PatchSoundnessTest, KnowsHowFarAPatchMayGo) {
