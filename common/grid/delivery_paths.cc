@@ -15,6 +15,7 @@
 #include "absl/strings/str_format.h"
 #include "common/util/error_info.h"
 #include "common/util/folders.h"
+#include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
 
 namespace tilemend {
@@ -147,20 +148,22 @@ bool IsDelivered(const Scene& scene) {
                      [](const SceneTile& tile) { return !tile.delivered.empty(); });
 }
 
-Scene DeliveredScene(Scene scene, const std::string& root) {
+absl::StatusOr<Scene> DeliveredScene(Scene scene, const std::string& root) {
   for (SceneTile& tile : scene.tiles) {
-    const bool is_there = KindOf(absl::StrCat(root, "/", tile.delivered)) == PathKind::kFile;
-    tile.path = is_there ? tile.delivered : "";
+    TILEMEND_ASSIGN_OR_RETURN(const PathKind kind, FindKind(absl::StrCat(root, "/", tile.delivered)));
+    tile.path = kind == PathKind::kFile ? tile.delivered : "";
     tile.frame.clear();
   }
   scene.tileset.clear();
   return scene;
 }
 
-Scene FilledScene(Scene scene, const std::string& root) {
+absl::StatusOr<Scene> FilledScene(Scene scene, const std::string& root) {
   for (SceneTile& tile : scene.tiles) {
+    if (!tile.path.empty()) continue;
     const std::string path = OutputPath(tile);
-    if (tile.path.empty() && KindOf(absl::StrCat(root, "/", path)) == PathKind::kFile) tile.path = path;
+    TILEMEND_ASSIGN_OR_RETURN(const PathKind kind, FindKind(absl::StrCat(root, "/", path)));
+    if (kind == PathKind::kFile) tile.path = path;
   }
   return scene;
 }

@@ -27,10 +27,10 @@ absl::Status SetDeliveryPaths(std::string_view format, Scene& scene);
 bool IsDelivered(const Scene& scene);
 
 // The scene that the delivered tiles in the folder `root` are.
-Scene DeliveredScene(Scene scene, const std::string& root);
+absl::StatusOr<Scene> DeliveredScene(Scene scene, const std::string& root);
 
 // The scene as the output `root` in its own format has it: cells without surface may have a tile now.
-Scene FilledScene(Scene scene, const std::string& root);
+absl::StatusOr<Scene> FilledScene(Scene scene, const std::string& root);
 
 // metadata.xml text with the CRS and the origin of `scene`, as photogrammetry programs write it.
 std::string MetadataXml(const Scene& scene);

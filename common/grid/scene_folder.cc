@@ -56,14 +56,19 @@ std::optional<NameOfTile> ReadName(std::string_view stem) {
   return NameOfTile{{*col, *row}, TakeIndex(&stem).has_value()};
 }
 
-// The entries of a folder that are of one kind, sorted by name; none if there is no such folder.
+// The entries of a folder that are of one kind, sorted by name; none if there is no such folder. A link to nothing that
+// has a tile's name is an error: a cell that is left out in silence is a hole that nobody sees.
 absl::StatusOr<std::vector<fs::path>> List(const fs::path& folder, PathKind kind) {
   std::vector<fs::path> found;
   const auto entries = ListKinds(folder.string());
   if (absl::IsNotFound(entries.status())) return found;
   TILEMEND_RETURN_IF_ERROR(entries.status());
   for (const FolderEntry& entry : *entries) {
-    if (entry.kind == kind) found.push_back(folder / entry.name);
+    const fs::path path = folder / entry.name;
+    if (entry.kind == kind) found.push_back(path);
+    if (entry.kind == PathKind::kNothing && ReadName(path.stem().string()).has_value()) {
+      TILEMEND_RETURN_IF_ERROR(IsThere(path.string()).status());
+    }
   }
   return found;
 }

@@ -22,17 +22,22 @@ PathKind KindOfMode(mode_t mode) {
   return S_ISDIR(mode) ? PathKind::kFolder : PathKind::kOther;
 }
 
-// The names in an open folder, which it takes.
-std::vector<std::string> NamesIn(int folder) {
+// The names in an open folder, which it takes. Gives 0 or an errno.
+int NamesIn(int folder, std::vector<std::string>& names) {
   const std::unique_ptr<DIR, int (*)(DIR*)> entries(::fdopendir(folder), ::closedir);
-  std::vector<std::string> names;
-  if (entries == nullptr) return names;
+  if (entries == nullptr) {
+    const int error = errno;
+    ::close(folder);
+    return error;
+  }
+  errno = 0;
   while (const dirent* const entry = ::readdir(entries.get())) {
     const std::string name = entry->d_name;
     if (name != "." && name != "..") names.push_back(name);
+    errno = 0;
   }
   std::sort(names.begin(), names.end());
-  return names;
+  return errno;
 }
 
 // Gives 0 or an errno.
@@ -42,7 +47,9 @@ int RemoveTreeAt(int at, const std::string& name) {
   const int folder = ::openat(at, name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   if (folder < 0) return errno;
   const Descriptor kept(::dup(folder));
-  for (const std::string& entry : NamesIn(folder)) {
+  std::vector<std::string> names;
+  if (const int error = NamesIn(folder, names); error != 0) return error;
+  for (const std::string& entry : names) {
     if (const int error = RemoveTreeAt(kept.get(), entry); error != 0) return error;
   }
   return ::unlinkat(at, name.c_str(), AT_REMOVEDIR) == 0 || errno == ENOENT ? 0 : errno;
@@ -54,7 +61,7 @@ absl::StatusOr<PathLook> LookAtObject(const std::string& path) {
   const auto look = objects->Look(path);
   if (look.ok()) return PathLook{PathKind::kFile, look->size};
   if (!absl::IsNotFound(look.status())) return look.status();
-  TILEMEND_RETURN_IF_ERROR(objects->List(path).status());
+  TILEMEND_RETURN_IF_ERROR(objects->LookForFolder(path));
   return PathLook{PathKind::kFolder, 0};
 }
 
@@ -92,6 +99,13 @@ absl::StatusOr<PathLook> LookAt(const std::string& path, Links links) {
   return PathLook{KindOfMode(info.st_mode), info.st_size};
 }
 
+absl::StatusOr<PathKind> FindKind(const std::string& path, Links links) {
+  const auto look = LookAt(path, links);
+  if (look.ok()) return look->kind;
+  if (absl::IsNotFound(look.status())) return PathKind::kNothing;
+  return look.status();
+}
+
 PathKind KindOf(const std::string& path) {
   const auto look = LookAt(path);
   return look.ok() ? look->kind : PathKind::kNothing;
@@ -106,7 +120,9 @@ absl::StatusOr<std::vector<std::string>> ListFolder(const std::string& path) {
   }
   const int folder = OpenKept(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder < 0) return ErrnoStatus(errno, "cannot list", path);
-  return NamesIn(folder);
+  std::vector<std::string> names;
+  if (const int error = NamesIn(folder, names); error != 0) return ErrnoStatus(error, "cannot list", path);
+  return names;
 }
 
 absl::StatusOr<std::vector<FolderEntry>> ListKinds(const std::string& path) {
@@ -119,7 +135,12 @@ absl::StatusOr<std::vector<FolderEntry>> ListKinds(const std::string& path) {
     return kinds;
   }
   TILEMEND_ASSIGN_OR_RETURN(const auto names, ListFolder(path));
-  for (const std::string& name : names) kinds.push_back({name, KindOf(absl::StrCat(path, "/", name))});
+  for (const std::string& name : names) {
+    // A link out of the roots is nothing, as elsewhere.
+    const auto kind = FindKind(absl::StrCat(path, "/", name));
+    if (!kind.ok() && absl::IsUnavailable(kind.status())) return kind.status();
+    kinds.push_back({name, kind.value_or(PathKind::kNothing)});
+  }
   return kinds;
 }
 

@@ -24,10 +24,13 @@ enum class Links { kFollow, kKeep };
 
 // What is at `path`. kNotFound, kPermissionDenied; the message names the path.
 absl::StatusOr<PathLook> LookAt(const std::string& path, Links links = Links::kFollow);
-// The same, with kNothing for all errors.
+// What a path is, with kNothing where there is nothing. Other errors of LookAt: what cannot be looked at, as on a mount
+// or in a store that fails, may be there.
+absl::StatusOr<PathKind> FindKind(const std::string& path, Links links = Links::kFollow);
+// The same, with kNothing for all errors: for what does no harm if it is wrong.
 PathKind KindOf(const std::string& path);
 
-// The names in a folder, sorted. kNotFound, kPermissionDenied.
+// The names in a folder, sorted: all of them, or an error. kNotFound, kPermissionDenied, kUnavailable.
 absl::StatusOr<std::vector<std::string>> ListFolder(const std::string& path);
 
 // The same with what each name is, in one request where objects are listed.

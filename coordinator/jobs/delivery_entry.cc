@@ -83,7 +83,9 @@ absl::StatusOr<DeliveryPlaces> PlaceDelivery(const Scene& scene) {
 absl::StatusOr<std::string> DeliveryEntry(const Scene& scene, const DeliveryPlaces& places, const std::string& out) {
   std::vector<EntryPart> parts;
   for (const SceneTile& tile : scene.tiles) {
-    if (!IsDeliveredAsTileset(tile) || KindOf(absl::StrCat(out, "/", tile.delivered)) != PathKind::kFile) continue;
+    if (!IsDeliveredAsTileset(tile)) continue;
+    TILEMEND_ASSIGN_OR_RETURN(const PathKind kind, FindKind(absl::StrCat(out, "/", tile.delivered)));
+    if (kind != PathKind::kFile) continue;
     parts.push_back({tile.delivered, places.cells.at(tile.cell)});
   }
   if (parts.empty()) return absl::InvalidArgumentError(absl::StrCat(out, ": no tile was written"));

@@ -57,12 +57,15 @@ struct FoundOutput {
   JobIdentity identity;
 };
 
-std::optional<FoundOutput> FindOutput(const std::string& folder) {
+// None if there is no output; errors of reading.
+absl::StatusOr<std::optional<FoundOutput>> FindOutput(const std::string& folder) {
   // A marker without a key is of a job that has not written yet.
   const auto key = ReadFile(absl::StrCat(folder, "/", kJobMarker));
+  if (!key.ok() && !absl::IsNotFound(key.status())) return key.status();
   if (key.ok() && !key->empty()) return FoundOutput{false, IdentityOfKey(*key)};
   const auto text = ReadFile(absl::StrCat(folder, "/", kReportFiles[0]));
-  if (!text.ok()) return std::nullopt;
+  if (absl::IsNotFound(text.status())) return std::nullopt;
+  TILEMEND_RETURN_IF_ERROR(text.status());
   return FoundOutput{true, IdentityOfReport(*text)};
 }
 
@@ -163,7 +166,7 @@ absl::StatusOr<std::string> CellsDoneAgain(const JobSpec& spec, JobIdentity iden
 absl::StatusOr<OutputCells> CellsWithOutput(const JobSpec& spec, const JobIdentity& identity, const Scene& scene) {
   OutputCells result{false, spec.cells()};
   if (spec.dry_run()) return result;
-  const std::optional<FoundOutput> found = FindOutput(spec.out());
+  TILEMEND_ASSIGN_OR_RETURN(const std::optional<FoundOutput> found, FindOutput(spec.out()));
   if (!found) return result;
   if (spec.overwrite() || !spec.decisions().empty()) {
     TILEMEND_ASSIGN_OR_RETURN(result.cells, CellsDoneAgain(spec, identity, *found, scene));
@@ -184,7 +187,7 @@ absl::StatusOr<OutputCells> CellsWithOutput(const JobSpec& spec, const JobIdenti
 
 absl::Status CheckOutputTakes(const JobSpec& spec) {
   if (spec.overwrite() || spec.dry_run() || !spec.decisions().empty()) return absl::OkStatus();
-  const std::optional<FoundOutput> found = FindOutput(spec.out());
+  TILEMEND_ASSIGN_OR_RETURN(const std::optional<FoundOutput> found, FindOutput(spec.out()));
   if (!found || KindOf(absl::StrCat(spec.out(), "/", kJobMarker)) != PathKind::kNothing) return absl::OkStatus();
   if (const auto differences = DifferingFlags(IdentityOf(spec), found->identity, true); !differences.empty()) {
     return OfAnotherJob(spec, *found, differences);

@@ -95,8 +95,8 @@ absl::Status WriteDelivery(const Scene& scene, OutputFolder& output) {
   TILEMEND_ASSIGN_OR_RETURN(const DeliveryPlaces places, PlaceDelivery(scene));
   if (places.cells.empty()) {
     TILEMEND_RETURN_IF_ERROR(WriteMetadata(scene, output));
-    return WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile),
-                               SceneJson(DeliveredScene(scene, output.path())));
+    TILEMEND_ASSIGN_OR_RETURN(const Scene delivered, DeliveredScene(scene, output.path()));
+    return WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile), SceneJson(delivered));
   }
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, DeliveryEntry(scene, places, output.path()));
   output.Adopt({kEntryFile});
@@ -107,8 +107,8 @@ absl::Status WriteDelivery(const Scene& scene, OutputFolder& output) {
 absl::Status WriteScene(const Scene& scene, OutputFolder& output) {
   if (IsDelivered(scene)) return WriteDelivery(scene, output);
   if (scene.found_by_name || scene.tileset.empty()) {  // a tileset says it itself
-    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile),
-                                                 SceneJson(FilledScene(scene, output.path()))));
+    TILEMEND_ASSIGN_OR_RETURN(const Scene filled, FilledScene(scene, output.path()));
+    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile), SceneJson(filled)));
   }
   TILEMEND_RETURN_IF_ERROR(CarryMetadata(scene, output));
   return WriteTileset(scene, output);
@@ -364,9 +364,8 @@ class ScenePipeline : public JobPipeline {
   absl::Status FinishOutput(const SceneReportInput& report, JobOutcome& outcome) {
     TILEMEND_RETURN_IF_ERROR(output_->SeeAll([this] { return end_.is_cancelled(); }));
     const Scene& scene = waves_.scene();
-    for (const auto& unwritten : report.outcome.unwritten) {  // what lies there is of an earlier job
-      TILEMEND_RETURN_IF_ERROR(
-          RemoveFile(absl::StrCat(output_->path(), "/", OutputPath(waves_.survey().tile(unwritten.cell)))));
+    for (const auto& unwritten : report.outcome.unwritten) {
+      TILEMEND_RETURN_IF_ERROR(output_->RemoveUnwritten(OutputPath(waves_.survey().tile(unwritten.cell))));
     }
     TILEMEND_RETURN_IF_ERROR(WriteScene(scene, *output_));
     output_->Adopt(tasks_.files().Carried());

@@ -5,6 +5,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "common/store/fingerprint.h"
 #include "common/util/files.h"
 #include "common/util/folders.h"
 #include "common/util/status_macros.h"
@@ -25,17 +26,20 @@ bool IsAttemptName(const std::string& name) {
   return name.size() >= 34 && name.size() <= 64 && std::all_of(name.begin(), name.end(), is_fine);
 }
 
-// The size of a regular file, -1 for anything else.
-int64_t SizeOf(const std::string& path) {
+// The size of a regular file, -1 if there is none. kUnavailable if that cannot be seen.
+absl::StatusOr<int64_t> SizeOf(const std::string& path) {
   const auto look = LookAt(path, Links::kKeep);
-  return look.ok() && look->kind == PathKind::kFile ? look->size : -1;
+  if (look.ok()) return look->kind == PathKind::kFile ? look->size : -1;
+  if (absl::IsNotFound(look.status())) return -1;
+  return absl::UnavailableError(look.status().message());
 }
 
 }  // namespace
 
 absl::StatusOr<AttemptFolder> AttemptFolder::Make(const std::string& output) {
   AttemptFolder folder(absl::StrCat(output, "/", kAttemptFolder));
-  if (SizeOf(folder.key_file()) > 0) return folder;
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t key_size, SizeOf(folder.key_file()));
+  if (key_size > 0) return folder;
   TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(folder.key_file(), NewKey()));
   return folder;
 }
@@ -43,9 +47,10 @@ absl::StatusOr<AttemptFolder> AttemptFolder::Make(const std::string& output) {
 absl::Status AttemptFolder::Check(const std::string& attempts, const AttemptFile& file) {
   if (!IsAttemptName(file.attempt)) return absl::InvalidArgumentError("a file under a name that no attempt has");
   const std::string path = absl::StrCat(attempts, "/", file.attempt);
-  const int64_t size = SizeOf(path);
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, SizeOf(path));
   if (size == file.bytes) return absl::OkStatus();
-  if (SizeOf(attempts + "/key") < 0) return absl::UnavailableError(absl::StrCat(attempts, ": the folder is gone"));
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t key_size, SizeOf(attempts + "/key"));
+  if (key_size < 0) return absl::UnavailableError(absl::StrCat(attempts, ": the folder is gone"));
   if (size < 0) return absl::DataLossError(absl::StrCat("the file for ", file.path, " is not there"));
   return absl::DataLossError(
       absl::StrCat("the file for ", file.path, " has ", size, " bytes, and should have ", file.bytes));
@@ -60,7 +65,11 @@ absl::Status AttemptFolder::Place(const AttemptFile& file, const std::string& ou
   const std::string from = absl::StrCat(path_, "/", file.attempt), to = absl::StrCat(output, "/", file.path);
   const absl::Status status = MoveFile(from, to);
   if (!absl::IsNotFound(status)) return status;
-  if (SizeOf(to) == file.bytes && SizeOf(key_file()) > 0) return absl::OkStatus();
+  // Moved by an earlier process of the job; another file of that size is none of its.
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t size, SizeOf(to));
+  TILEMEND_ASSIGN_OR_RETURN(const int64_t key_size, SizeOf(key_file()));
+  const bool is_same = file.digest.empty() || FileHasDigest(to, file.digest).value_or(false);
+  if (size == file.bytes && key_size > 0 && is_same) return absl::OkStatus();
   return absl::UnavailableError(absl::StrCat(to, ": what was written for it is gone; run the job again"));
 }
 

@@ -77,10 +77,12 @@ absl::Status CheckVacant(const std::string& path, const std::string& key) {
   if (absl::IsPermissionDenied(names.status())) {
     return absl::PermissionDeniedError(absl::StrCat(std::string(names.status().message()), "; choose another --out"));
   }
+  if (!names.ok() && !absl::IsNotFound(names.status())) return names.status();
   const bool empty = !names.ok() || std::all_of(names->begin(), names->end(), [](const std::string& name) {
     return name == kJobMarker || name == kAttemptFolder || name == kResultLog;
   });
   const auto marker = ReadFile(absl::StrCat(path, "/", kJobMarker));
+  if (!marker.ok() && !absl::IsNotFound(marker.status())) return marker.status();
   if (marker.ok() && *marker == key) return absl::OkStatus();
   // A path that cannot be shows when it is made. A marker without a key is of a job that has not claimed the folder
   // yet.
@@ -111,7 +113,8 @@ absl::Status CheckName(const std::string& path, PathKind wanted) {
 
 // The same for all that the job makes in a folder.
 absl::Status CheckNames(const std::string& path, const std::set<std::string>& files) {
-  if (KindOf(path) == PathKind::kNothing) return absl::OkStatus();
+  TILEMEND_ASSIGN_OR_RETURN(const PathKind kind, FindKind(path));
+  if (kind == PathKind::kNothing) return absl::OkStatus();
   const std::string folder = path + "/";
   TILEMEND_RETURN_IF_ERROR(CheckName(folder + kJobMarker, PathKind::kFile));
   TILEMEND_RETURN_IF_ERROR(CheckName(folder + kResultLog, PathKind::kFile));
@@ -144,7 +147,7 @@ absl::Status CheckScheme(const std::string& path, const Scene& scene) {
 }
 
 absl::Status CheckFolder(const std::string& path) {
-  const PathKind kind = KindOf(path);
+  TILEMEND_ASSIGN_OR_RETURN(const PathKind kind, FindKind(path));
   if (kind == PathKind::kNothing || kind == PathKind::kFolder) return absl::OkStatus();
   return absl::InvalidArgumentError(absl::StrCat(path, ": the output is a file, not a folder; choose another --out"));
 }
@@ -195,8 +198,14 @@ std::vector<std::string> FilesBelow(const std::string& root, const std::string& 
 
 // Whether the file of an attempt, at `written`, is the one at `path`.
 absl::Status CheckSame(const AttemptFile& file, const std::string& written, const std::string& path) {
-  const bool same =
-      file.digest.empty() ? HaveSameContent(written, path) : FileHasDigest(path, file.digest).value_or(false);
+  bool same = false;
+  if (file.digest.empty()) {
+    same = HaveSameContent(written, path);
+  } else {
+    const auto has_digest = FileHasDigest(path, file.digest);
+    if (absl::IsUnavailable(has_digest.status()) || IsStoreError(path, has_digest.status())) return has_digest.status();
+    same = has_digest.value_or(false);
+  }
   if (same) return absl::OkStatus();
   return WithErrorInfo(
       absl::AlreadyExistsError(absl::StrCat(
@@ -205,11 +214,17 @@ absl::Status CheckSame(const AttemptFile& file, const std::string& written, cons
       {"OUTPUT_EXISTS", {}});
 }
 
-// A file as it was placed. A hard link to it, as by a backup, changes the stamp and no byte.
-bool IsThere(const std::string& path, int64_t bytes, const std::string& digest, const std::string& stamp) {
+// A file as it was placed. A hard link to it, as by a backup, changes the stamp and no byte. Errors are those of a
+// store or a mount that fails.
+absl::StatusOr<bool> IsThere(const std::string& path, int64_t bytes, const std::string& digest,
+                             const std::string& stamp) {
   const auto look = LookAt(path, Links::kKeep);
+  if (absl::IsUnavailable(look.status()) || IsStoreError(path, look.status())) return look.status();
   if (!look.ok() || look->kind != PathKind::kFile || look->size != bytes) return false;
-  return digest.empty() || HasStamp(path, stamp) || FileHasDigest(path, digest).value_or(false);
+  if (digest.empty() || HasStamp(path, stamp)) return true;
+  const auto is_same = FileHasDigest(path, digest);
+  if (absl::IsUnavailable(is_same.status()) || IsStoreError(path, is_same.status())) return is_same.status();
+  return is_same.value_or(false);
 }
 
 }  // namespace
@@ -279,7 +294,8 @@ absl::Status OutputFolder::WriteKey() { return marker_->Write(key_); }
 absl::Status OutputFolder::BeginWriting() {
   TILEMEND_RETURN_IF_ERROR(WriteKey());
   keep_ = wrote_ = true;
-  for (const char* file : kReportFiles) RemoveFile(absl::StrCat(path_, "/", file)).IgnoreError();
+  // An old report beside new tiles would tell of them as if they were complete.
+  for (const char* file : kReportFiles) TILEMEND_RETURN_IF_ERROR(RemoveFile(absl::StrCat(path_, "/", file)));
   return absl::OkStatus();
 }
 
@@ -292,8 +308,9 @@ void OutputFolder::Adopt(const std::set<std::string>& files) {
 absl::Status OutputFolder::Place(const std::vector<AttemptFile>& files) {
   std::vector<std::string> is_new;
   for (const AttemptFile& file : files) {
-    const bool is_there = KindOf(absl::StrCat(path_, "/", file.path)) != PathKind::kNothing;
-    if (own_ && files_.contains(file.path) && !is_there) is_new.push_back(file.path);
+    if (!own_ || !files_.contains(file.path)) continue;
+    TILEMEND_ASSIGN_OR_RETURN(const PathKind kind, FindKind(absl::StrCat(path_, "/", file.path), Links::kKeep));
+    if (kind == PathKind::kNothing) is_new.push_back(file.path);
   }
   if (own_) own_->Add(is_new);
   for (const AttemptFile& file : files) {
@@ -317,6 +334,10 @@ absl::Status OutputFolder::Keep(const std::vector<AttemptFile>& files) {
   return absl::OkStatus();
 }
 
+absl::Status OutputFolder::RemoveUnwritten(const std::string& file) const {
+  return own_ && !own_->Has(file) ? absl::OkStatus() : RemoveFile(absl::StrCat(path_, "/", file));
+}
+
 bool OutputFolder::has_report() const {
   return KindOf(absl::StrCat(path_, "/", kReportFiles[0])) != PathKind::kNothing;
 }
@@ -333,7 +354,8 @@ absl::Status OutputFolder::SeeAll(const std::function<bool()>& ends) const {
     ++placed;
     const fs::path path = fs::path(path_) / file;
     folders.insert(path.parent_path().string());
-    if (IsThere(path.string(), was.bytes, was.digest, was.stamp)) continue;
+    TILEMEND_ASSIGN_OR_RETURN(const bool is_there, IsThere(path.string(), was.bytes, was.digest, was.stamp));
+    if (is_there) continue;
     if (missing++ == 0) first = path.string();
   }
   if (missing > 0) {

@@ -64,6 +64,9 @@ class OutputFolder {
   absl::Status Keep(const std::vector<AttemptFile>& files);
   // Whether a complete output lies there.
   bool has_report() const;
+  // Removes what lies where the job could not write a file of its own: it is of an earlier job. A file that the job
+  // leaves to others stays.
+  absl::Status RemoveUnwritten(const std::string& file) const;
   // Where results are kept for the jobs that come after (ResultLog). Stays when the job ends, however it ends.
   std::string result_log() const;
   // Looks at every file that was placed, and has their names survive a power cut. Reads those with a digest that do not

@@ -87,7 +87,9 @@ absl::StatusOr<std::string> GrownEntry(const std::string& folder, const std::str
   TILEMEND_ASSIGN_OR_RETURN(Tileset tileset, ReadAlone(folder, entry));
   for (size_t t = 0; t < tileset.tiles.size(); ++t) {
     const std::string external = tileset.tiles[t].external;
-    if (external.empty() || KindOf(absl::StrCat(written, "/", external)) != PathKind::kFile) continue;
+    if (external.empty()) continue;
+    TILEMEND_ASSIGN_OR_RETURN(const PathKind kind, FindKind(absl::StrCat(written, "/", external)));
+    if (kind != PathKind::kFile) continue;
     TILEMEND_ASSIGN_OR_RETURN(const Tileset before, ReadAlone(folder, external));
     TILEMEND_ASSIGN_OR_RETURN(const Tileset after, ReadAlone(written, external));
     if (before.tiles[0].volume == after.tiles[0].volume) continue;

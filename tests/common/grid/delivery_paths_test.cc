@@ -106,9 +106,10 @@ TEST(DeliveryPathsTest, TheDeliveredSceneHasTheTilesThatAreThere) {
   folder.Write("a/a.obj", "v 0 0 0\n");
   Scene scene = SceneOf({"a/a.osgb", "b/b.osgb"});
   ASSERT_TRUE(SetDeliveryPaths("obj", scene).ok());
-  const Scene delivered = DeliveredScene(scene, folder.path());
-  EXPECT_EQ(delivered.tiles[0].path, "a/a.obj");
-  EXPECT_EQ(delivered.tiles[1].path, "");
+  const auto delivered = DeliveredScene(scene, folder.path());
+  ASSERT_TRUE(delivered.ok()) << delivered.status();
+  EXPECT_EQ(delivered->tiles[0].path, "a/a.obj");
+  EXPECT_EQ(delivered->tiles[1].path, "");
 }
 
 TEST(DeliveryPathsTest, TheFilledSceneHasTilesThatWereAdded) {
@@ -116,10 +117,11 @@ TEST(DeliveryPathsTest, TheFilledSceneHasTilesThatWereAdded) {
   folder.Write("tiles/Tile_+001_+000.ply", "ply\n");
   Scene scene = SceneOf({"a/a.osgb", "", ""});
   for (int32_t col = 0; col < 3; ++col) scene.tiles[static_cast<size_t>(col)].cell = {col, 0};
-  const Scene filled = FilledScene(scene, folder.path());
-  EXPECT_EQ(filled.tiles[0].path, "a/a.osgb") << "whether it is there yet or not";
-  EXPECT_EQ(filled.tiles[1].path, "tiles/Tile_+001_+000.ply");
-  EXPECT_EQ(filled.tiles[2].path, "");
+  const auto filled = FilledScene(scene, folder.path());
+  ASSERT_TRUE(filled.ok()) << filled.status();
+  EXPECT_EQ(filled->tiles[0].path, "a/a.osgb") << "whether it is there yet or not";
+  EXPECT_EQ(filled->tiles[1].path, "tiles/Tile_+001_+000.ply");
+  EXPECT_EQ(filled->tiles[2].path, "");
 }
 
 }  // namespace

@@ -215,5 +215,11 @@ TEST_F(SceneFolderTest, RefusesBadMetadata) {
   ExpectError(absl::StatusCode::kInvalidArgument, "metadata.xml: SRSOrigin: expected three numbers");
 }
 
+TEST_F(SceneFolderTest, ALinkToNothingThatHasATilesNameIsAnError) {
+  WriteTile("Tile_+000_+000.ply", 0, 0);
+  std::filesystem::create_symlink("offline/Tile.ply", folder_ / "Tile_+001_+001.ply");
+  ExpectError(absl::StatusCode::kInvalidArgument, "Tile_+001_+001.ply: a link that leads to no file");
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -38,7 +38,14 @@ TEST_F(FoldersTest, TellsWhatIsThere) {
     EXPECT_TRUE(absl::IsNotFound(status)) << status;
     EXPECT_THAT(std::string(status.message()), HasSubstr(missing));
     EXPECT_EQ(KindOf(folder_ / missing), PathKind::kNothing);
+    EXPECT_EQ(*FindKind(folder_ / missing), PathKind::kNothing);
   }
+}
+
+TEST_F(FoldersTest, WhatCannotBeLookedAtIsNotNothing) {
+  const std::string too_long = folder_ / std::string(300, 'x');
+  EXPECT_TRUE(absl::IsInvalidArgument(FindKind(too_long).status()));
+  EXPECT_EQ(KindOf(too_long), PathKind::kNothing);
 }
 
 TEST_F(FoldersTest, ListsNamesInOrder) {
