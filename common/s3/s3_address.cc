@@ -55,7 +55,8 @@ std::string PercentEncoded(std::string_view text, bool keep_slashes) {
 
 std::string UrlOf(const S3Address& address, const S3Path& path, const std::map<std::string, std::string>& query) {
   // A certificate for *.s3.REGION does not hold for a bucket with a dot. Other stores are asked by path.
-  const std::string amazon = absl::StrCat("s3.", address.region, ".amazonaws.com");
+  const std::string amazon =
+      absl::StrCat("s3.", address.region, ".amazonaws.com", address.region.starts_with("cn-") ? ".cn" : "");
   const bool by_host = address.endpoint.empty() && path.bucket.find('.') == std::string::npos;
   std::string url = by_host                    ? absl::StrCat("https://", path.bucket, ".", amazon)
                     : address.endpoint.empty() ? absl::StrCat("https://", amazon, "/", path.bucket)

@@ -47,21 +47,24 @@ std::optional<S3Credentials> CredentialsInFile(const std::string& text, const st
 std::optional<RoleCredentials> CredentialsOfRole(const std::string& json) {
   const auto object = nlohmann::json::parse(json, nullptr, false);
   if (!object.is_object()) return std::nullopt;
-  RoleCredentials role{{TextIn(object, "AccessKeyId"), TextIn(object, "SecretAccessKey"), TextIn(object, "Token")}, {}};
+  RoleCredentials role{
+      {TextIn(object, "AccessKeyId"), TextIn(object, "SecretAccessKey"), TextIn(object, "Token")}, {}, {}};
   std::string error;
   if (role.credentials.key_id.empty() || role.credentials.secret.empty() ||
       !absl::ParseTime(absl::RFC3339_full, TextIn(object, "Expiration"), &role.expires, &error)) {
     return std::nullopt;
   }
+  role.renew = role.expires - kBeforeExpiry;
   return role;
 }
 
 absl::StatusOr<S3Credentials> S3CredentialSource::Get(absl::Time now) {
   const std::lock_guard lock(mutex_);
-  if (!found_ || found_->expires <= now) {
+  if (!found_ || found_->renew <= now) {
     auto found = Find(now);
-    if (!found.ok()) return found.status();
-    found_ = *std::move(found);
+    // What holds still is used on: the service that gives new ones may be busy for a moment.
+    if (!found.ok() && (!found_ || found_->expires <= now)) return found.status();
+    if (found.ok()) found_ = *std::move(found);
   }
   return found_->credentials;
 }
@@ -74,17 +77,16 @@ void S3CredentialSource::Forget() {
 absl::StatusOr<RoleCredentials> S3CredentialSource::Find(absl::Time now) const {
   const auto value = [&](const char* name) { return ValueOf(environment_, name); };
   S3Credentials given{value("AWS_ACCESS_KEY_ID"), value("AWS_SECRET_ACCESS_KEY"), value("AWS_SESSION_TOKEN")};
-  if (!given.key_id.empty() && !given.secret.empty()) return RoleCredentials{std::move(given), absl::InfiniteFuture()};
+  if (!given.key_id.empty() && !given.secret.empty())
+    return RoleCredentials{std::move(given), absl::InfiniteFuture(), absl::InfiniteFuture()};
   std::string file = value("AWS_SHARED_CREDENTIALS_FILE");
   if (file.empty()) file = absl::StrCat(value("HOME"), "/.aws/credentials");
   const std::string profile = value("AWS_PROFILE").empty() ? "default" : value("AWS_PROFILE");
   if (const auto text = ReadOwnFile(file); text.ok()) {
-    if (auto found = CredentialsInFile(*text, profile)) return RoleCredentials{*std::move(found), now + kFileHolds};
+    if (auto found = CredentialsInFile(*text, profile))
+      return RoleCredentials{*std::move(found), absl::InfiniteFuture(), now + kFileHolds};
   }
-  if (auto role = AskRole()) {
-    role->expires -= kBeforeExpiry;
-    return *std::move(role);
-  }
+  if (auto role = AskRole()) return *std::move(role);
   return WithErrorInfo(absl::PermissionDeniedError(absl::StrCat(
                            "no credentials for the object store: neither AWS_ACCESS_KEY_ID and AWS_SECRET_ACCESS_KEY, "
                            "nor a profile [",

@@ -25,6 +25,7 @@ std::optional<S3Credentials> CredentialsInFile(const std::string& text, const st
 struct RoleCredentials {
   S3Credentials credentials;
   absl::Time expires;
+  absl::Time renew;  // from then on new ones are asked for
 };
 std::optional<RoleCredentials> CredentialsOfRole(const std::string& json);
 
@@ -32,7 +33,7 @@ std::optional<RoleCredentials> CredentialsOfRole(const std::string& json);
 //  1. AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY, AWS_SESSION_TOKEN;
 //  2. the profile AWS_PROFILE (default) of AWS_SHARED_CREDENTIALS_FILE (~/.aws/credentials), read again each minute;
 //  3. the role of the machine by IMDSv2 at AWS_EC2_METADATA_SERVICE_ENDPOINT, unless AWS_EC2_METADATA_DISABLED is true;
-//     asked for again five minutes before they expire.
+//     asked for again five minutes before they expire. Until then the old ones are used if that fails.
 // Thread-safe.
 class S3CredentialSource {
  public:

@@ -187,6 +187,8 @@ absl::Status StatusOfAnswer(const std::string& path, long code, const S3Error& e
   if (code >= 500 || code == 429 || code == 408 || error.code == "RequestTimeout") {
     return Unreachable(path, absl::StrCat("the object store answers ", what));
   }
+  if (error.code == "ExpiredToken") return Refused(path, what + "; the session token is over: renew the credentials");
+  if (error.code == "RequestTimeTooSkewed") return Refused(path, what + "; set the clock of this machine");
   if (code == 301 || code == 307 || code == 400) {
     return Refused(path, absl::StrCat(what, "; is AWS_REGION the bucket's, and AWS_ENDPOINT_URL the store's?"));
   }
@@ -217,6 +219,7 @@ absl::Status CheckContent(const S3Request& request, const std::string& path, Exc
 struct S3Requests::Outcome {
   absl::Status status;
   S3Answer answer;
+  bool is_expired = false;  // the credentials
 };
 
 S3Requests::Outcome S3Requests::Try(const S3Request& request, const std::string& path, const std::string& digest) {
@@ -252,16 +255,18 @@ S3Requests::Outcome S3Requests::Try(const S3Request& request, const std::string&
   const S3Error error = request.to_file >= 0 && exchange.is_success ? S3Error{} : ErrorInAnswer(exchange.answer.body);
   if (error.code == "ExpiredToken") credentials_.Forget();
   if (code / 100 == 2 && !error.code.empty()) code = 500;
-  if (code / 100 != 2) return {StatusOfAnswer(path, code, error), {}};
+  if (code / 100 != 2) return {StatusOfAnswer(path, code, error), {}, error.code == "ExpiredToken"};
   absl::Status checked = CheckContent(request, path, exchange);
   return {std::move(checked), std::move(exchange.answer)};
 }
 
 absl::StatusOr<S3Answer> S3Requests::Send(const S3Request& request, const std::string& path) {
   const std::string digest = Sha256Hex(request.body);
+  bool is_renewed = false;
   for (int tried = 1;; ++tried) {
     Outcome outcome = Try(request, path, digest);
     if (outcome.status.ok()) return std::move(outcome.answer);
+    if (outcome.is_expired && !std::exchange(is_renewed, true)) continue;  // there may be new ones
     if (!IsWorthAnotherTry(outcome.status)) return outcome.status;
     if (tried >= patience_.tries) {
       return Unreachable(path, absl::StrCat(std::string(outcome.status.message()).substr(Printable(path).size() + 2),

@@ -108,6 +108,8 @@ TEST_F(S3CredentialsTest, AsksForTheRoleOfTheMachineBeforeItExpires) {
   EXPECT_EQ(asked.load(), 2);
   server.stop();
   serving.join();
+  EXPECT_TRUE(source.Get(expiry - absl::Minutes(3)).ok()) << "what holds still is used on";
+  EXPECT_FALSE(source.Get(expiry + absl::Minutes(1)).ok());
 }
 
 }  // namespace

@@ -53,5 +53,26 @@ TEST_F(S3StoreTest, KnowsAnEmptyFolderFromAnEmptyBucket) {
   EXPECT_TRUE(store_->List("s3://city").ok());
 }
 
+TEST_F(S3StoreTest, AsksWhyAHeadIsRefused) {
+  failures_ = 10;
+  failure_ = 403;
+  failure_text_ = "<Error><Code>RequestTimeTooSkewed</Code></Error>";
+  const absl::Status status = store_->Look("s3://city/a").status();
+  EXPECT_TRUE(absl::IsPermissionDenied(status));
+  EXPECT_NE(std::string(status.message()).find("set the clock"), std::string::npos) << status;
+  failure_ = 400;
+  failure_text_ = "<Error><Code>ExpiredToken</Code></Error>";
+  const absl::Status expired = store_->Look("s3://city/a").status();
+  EXPECT_NE(std::string(expired.message()).find("renew the credentials"), std::string::npos) << expired;
+}
+
+TEST_F(S3StoreTest, LooksForAFolderByOneKey) {
+  content_ = "<ListBucketResult><Contents><Key>out/b</Key></Contents></ListBucketResult>";
+  EXPECT_TRUE(store_->LookForFolder("s3://city/out").ok());
+  EXPECT_NE(requests_.back().target.find("max-keys=1"), std::string::npos) << requests_.back().target;
+  content_ = "<ListBucketResult/>";
+  EXPECT_TRUE(absl::IsNotFound(store_->LookForFolder("s3://city/out")));
+}
+
 }  // namespace
 }  // namespace tilemend
