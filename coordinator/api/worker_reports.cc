@@ -85,6 +85,7 @@ void WorkerReports::TakeResults(const v1::SyncRequest& request, std::vector<Resu
 
 std::vector<std::string> WorkerReports::TakeSeen(const v1::SyncRequest& request) {
   std::vector<std::string> unseen;
+  if (request.seen().empty()) return unseen;
   std::set<std::string> told;
   for (const v1::FoldersSeen& seen : request.seen()) {
     if (!told.insert(seen.job()).second) continue;  // a worker says it once

@@ -31,14 +31,16 @@ class JobJournal {
   // What a worker gave in a job is to be done again.
   void DropResults(const Revoked& revoked) const;
 
-  // Adds to `tasks` what earlier processes know of them. Returns the contents of the known ones in order. Takes the
-  // lock. kDataLoss if the journal is damaged.
+  // Adds to `tasks` what earlier processes know of them, but for results of workers that are convicted. Returns the
+  // contents of the known ones in order. Takes the lock. kDataLoss if the journal is damaged.
   absl::StatusOr<TaskContents> Recall(const std::string& job, std::vector<TaskSpec>& tasks) const;
 
   // Notes that are results of no task: those that a worker gave are dropped with its results. Needs the lock.
   std::shared_ptr<JobNotes> NotesOf(const std::string& job) const;
 
  private:
+  // Takes the lock.
+  bool IsOfConvicted(const ResultRecord& result) const;
   Cluster& cluster_;
 };
 

@@ -163,13 +163,18 @@ void JobRunner::ReleaseOnly() {
 
 absl::StatusOr<JobOutcome> JobRunner::RunToTheEnd(std::unique_ptr<JobPipeline>& pipeline) {
   absl::StatusOr<JobOutcome> outcome;
-  absl::StatusOr<bool> again = true;
-  while (again.ok() && *again) {
+  while (true) {
     outcome = RunPipeline(pipeline);
-    again = PrepareToBeginAgain(pipeline);
+    const absl::StatusOr<bool> again = PrepareToBeginAgain(pipeline);
+    if (!again.ok()) outcome = again.status();
+    if (again.ok() && *again) continue;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (again.ok() && IsBegunAgain(failure_) && !cancel_.stop_requested()) continue;  // told since it was looked
+    return EndOf(std::move(outcome));
   }
-  if (!again.ok()) outcome = again.status();
-  std::lock_guard<std::mutex> lock(mutex_);
+}
+
+absl::StatusOr<JobOutcome> JobRunner::EndOf(absl::StatusOr<JobOutcome> outcome) {
   pipeline_ = nullptr;
   too_late_ = !cancel_.stop_requested();
   if (cancel_.stop_requested()) return absl::CancelledError("the job was cancelled");

@@ -10,6 +10,20 @@
 #include "common/util/text.h"
 
 namespace tilemend {
+namespace {
+
+// A file's name has at most 255 bytes; the rest is for what comes behind it.
+constexpr size_t kMostStemBytes = 230;
+
+// At most so many bytes, and no part of a character.
+std::string FirstBytes(std::string text, size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
+  text.resize(most);
+  return text;
+}
+
+}  // namespace
 
 std::string FolderInScene(const std::string& out, const std::string& root) {
   std::error_code error;
@@ -66,7 +80,8 @@ std::string SceneFiles::LibraryOf(CellId cell) const {
 }
 
 std::string SceneFiles::NewFileFor(const std::string& path, absl::string_view ending) const {
-  const std::string stem = std::filesystem::path(path).replace_extension().string();
+  const std::filesystem::path tile(path);
+  const std::string stem = (tile.parent_path() / FirstBytes(tile.stem().string(), kMostStemBytes)).string();
   std::string name = absl::StrCat(stem, "_tilemend.", ending);
   const auto is_taken = [&] { return spelt_small_.contains(absl::AsciiStrToLower(name)) || HidesAnother(name); };
   for (int n = 2; is_taken(); ++n) name = absl::StrCat(stem, "_tilemend", n, ".", ending);

@@ -1,6 +1,5 @@
 #include "coordinator/jobs/worker_trust.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -28,6 +27,19 @@ std::string FaultOf(const JobFolders& folders, const v1::FoldersSeen& seen) {
 }
 
 }  // namespace
+
+void WorkerTrust::JobView::See(const std::string& worker, absl::Time look_again) {
+  Forget(worker);
+  seen_by[worker] = look_again;
+  if (look_again != absl::InfiniteFuture()) ++blind;
+}
+
+void WorkerTrust::JobView::Forget(const std::string& worker) {
+  const auto seen = seen_by.find(worker);
+  if (seen == seen_by.end()) return;
+  if (seen->second != absl::InfiniteFuture()) --blind;
+  seen_by.erase(seen);
+}
 
 void WorkerTrust::AddJob(const std::string& job, JobFolders folders) {
   if (!folders.files.empty() || !folders.attempts.empty()) jobs_[job].folders = std::move(folders);
@@ -63,19 +75,19 @@ std::optional<std::string> WorkerTrust::TakeSeen(const std::string& worker, cons
   }
   view->second.looks_since.erase(worker);
   const std::string fault = FaultOf(view->second.folders, seen);
-  view->second.seen_by[worker] = fault.empty() ? absl::InfiniteFuture() : now + kLookAgain;
+  view->second.See(worker, fault.empty() ? absl::InfiniteFuture() : now + kLookAgain);
   if (fault.empty()) return std::nullopt;
   return absl::StrCat("worker ", Printable(worker),
                       " gets no task: it does not see the job's folders as the coordinator does: ", fault);
 }
 
 void WorkerTrust::Doubt(const std::string& worker, const std::string& job) {
-  if (const auto view = jobs_.find(job); view != jobs_.end()) view->second.seen_by.erase(worker);
+  if (const auto view = jobs_.find(job); view != jobs_.end()) view->second.Forget(worker);
 }
 
 void WorkerTrust::RemoveWorker(const std::string& worker) {
   for (auto& [job, view] : jobs_) {
-    view.seen_by.erase(worker);
+    view.Forget(worker);
     view.looks_since.erase(worker);
   }
 }
@@ -95,6 +107,11 @@ bool WorkerTrust::Clear(const std::string& worker) {
 std::string WorkerTrust::WhySetAside(const std::string& worker) const {
   const auto reason = set_aside_.find(worker);
   return reason == set_aside_.end() ? "" : reason->second.reason;
+}
+
+bool WorkerTrust::IsConvicted(const std::string& worker) const {
+  const auto aside = set_aside_.find(worker);
+  return aside != set_aside_.end() && aside->second.is_for_good;
 }
 
 bool WorkerTrust::MayWorkOn(const std::string& worker, const std::string& job) const {
@@ -129,10 +146,7 @@ std::vector<std::string> WorkerTrust::BlindTo(const std::string& worker) const {
 
 size_t WorkerTrust::blind() const {
   size_t count = 0;
-  for (const auto& [job, view] : jobs_) {
-    count += static_cast<size_t>(std::count_if(view.seen_by.begin(), view.seen_by.end(),
-                                               [](const auto& s) { return s.second != absl::InfiniteFuture(); }));
-  }
+  for (const auto& [job, view] : jobs_) count += view.blind;
   return count;
 }
 

@@ -45,6 +45,9 @@ class WorkerTrust {
   // Why it is suspected or set aside. Empty if it is not.
   std::string WhySetAside(const std::string& worker) const;
 
+  // Whether it is set aside for good.
+  bool IsConvicted(const std::string& worker) const;
+
   bool MayWorkOn(const std::string& worker, const std::string& job) const;
 
   // Whether it gets no task of the job until something changes: not one that has yet to look.
@@ -65,6 +68,10 @@ class WorkerTrust {
     JobFolders folders;
     std::map<std::string, absl::Time> seen_by;  // workers; when they are to look again: InfiniteFuture if they see them
     std::map<std::string, absl::Time> looks_since;  // workers that are looking; when they first said so
+    size_t blind = 0;                               // of seen_by: not InfiniteFuture
+
+    void See(const std::string& worker, absl::Time look_again);
+    void Forget(const std::string& worker);  // what it has seen
   };
   struct Aside {
     std::string reason;

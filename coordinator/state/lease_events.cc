@@ -128,7 +128,9 @@ bool Return(Task& task, const TaskFailed& event, StateTables& state) {
   task.returned_by.insert(event.worker);
   ++task.returns;
   task.not_before = event.time + PauseAfter(task.returns, state.options);
-  if (const auto worker = state.workers.find(event.worker); worker != state.workers.end()) {
+  // All that fails while it rests is one trouble: a cut of the network ends each of its tasks.
+  if (const auto worker = state.workers.find(event.worker);
+      worker != state.workers.end() && event.time >= worker->second.rests_until) {
     const int32_t troubles = ++worker->second.troubles;
     if (troubles > 1) worker->second.rests_until = event.time + PauseAfter(troubles - 1, state.options);
   }

@@ -75,9 +75,16 @@ class TaskChooser {
     return now_ < task.not_before && (task.failed_by.empty() || task.returned_by.contains(worker_.id));
   }
 
+  // Whether it is left to others for now. What a machine error ended is so for a while alone: the others may be stuck.
+  bool IsLeftToOthers(const Task& task) const {
+    if (!task.returned_by.contains(worker_.id)) return false;
+    const bool by_machine_error = task.returns > 0 && task.failed_by.empty() && task.lost_workers.empty();
+    return !by_machine_error || now_ < task.not_before + state_.options().wait_for_another;
+  }
+
   bool MayHave(const Job& job, const Task& task) const {
     return !MustWait(task) && !task.refused.contains(worker_.id) &&
-           !(task.returned_by.contains(worker_.id) && HasAnother(state_, worker_.id, job, task, may_));
+           !(IsLeftToOthers(task) && HasAnother(state_, worker_.id, job, task, may_));
   }
 
   // Chooses the share's next task; false if it has none.
@@ -135,7 +142,7 @@ class TaskChooser {
   bool Straggles(const Job& job, const Task& task, absl::Time since) const {
     if (LeaseOf(task, worker_.id) != nullptr) return false;
     // A task that workers were lost with is not to take two at once.
-    if (!task.lost_workers.empty() || task.refused.contains(worker_.id) || task.returned_by.contains(worker_.id)) {
+    if (!task.lost_workers.empty() || task.refused.contains(worker_.id) || IsLeftToOthers(task)) {
       return false;
     }
     if (!task.leases.front().begun) return now_ - since > kTimeToBegin;

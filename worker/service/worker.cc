@@ -29,6 +29,9 @@ namespace {
 // Ground rasters of three rows of 80 cells of 250 m.
 constexpr size_t kMostPartBytes = size_t{32} << 20;
 
+// Of a blob over a connection that stands, some three seconds in all.
+constexpr int kMostTries = 6;
+
 constexpr char kNotYet[] = "has not reached its coordinator yet";
 
 std::string NewSecret() {
@@ -172,7 +175,9 @@ bool Worker::Pause(absl::Duration backoff) {
   absl::InsecureBitGen random;
   const absl::Duration pause = backoff * absl::Uniform(random, 0.5, 1.0);
   std::unique_lock<std::mutex> lock(mutex_);
-  changed_.wait_for(lock, absl::ToChronoMilliseconds(pause), [this] { return mode_ != Mode::kRunning; });
+  const Mode before = mode_;
+  changed_.wait_for(lock, absl::ToChronoMilliseconds(pause),
+                    [&] { return mode_ != before || mode_ >= Mode::kStopping; });
   if (mode_ == Mode::kDraining) return !held_.empty() || !finished_.empty();  // nothing to tell: no need to be released
   return mode_ < Mode::kStopping;                                             // it would have told once, and could not
 }
@@ -310,7 +315,7 @@ void Worker::RunTask(Held& held) {
   absl::StatusOr<std::string> input = InputOf(held);
   std::optional<absl::StatusOr<std::string>> output = input.ok() ? Compute(held, *input) : std::move(input);
   std::optional<v1::FinishedTask> report;
-  if (output) report = Report(held.task, *std::move(output));
+  if (output) report = Report(held, *std::move(output));
   if (report && report->has_error() && !held.cancel.cancelled()) LogFailure(held.task, report->error());
   if (!report) {
     std::lock_guard<std::mutex> lock(mutex_);
@@ -345,30 +350,42 @@ void Worker::LogFailure(const v1::Task& task, const v1::Status& error) const {
                                      {"error", error.message()}});
 }
 
+bool Worker::MayTryAgain(const Held& held, const absl::Status& status, int tried) {
+  if (!absl::IsUnavailable(status) && !absl::IsDeadlineExceeded(status)) return false;
+  const absl::Duration pause = std::min(options_.first_backoff * (1 << std::min(tried, 10)), options_.max_backoff);
+  std::unique_lock<std::mutex> lock(mutex_);
+  const auto is_over = [&] { return held.cancel.cancelled() || ended_ || mode_ >= Mode::kStopping; };
+  changed_.wait_for(lock, absl::ToChronoMilliseconds(pause), is_over);
+  // While it is not connected it does not count: a result is kept through any loss of connection.
+  return !is_over() && (tried < kMostTries || !unconnected_.empty());
+}
+
 absl::StatusOr<std::string> Worker::InputOf(const Held& held) {
   const v1::Task& task = held.task;
-  const std::string& job = task.ref().job();
   std::string input = task.input().content();
   if (task.input().size() != static_cast<int64_t>(input.size())) {
-    TILEMEND_ASSIGN_OR_RETURN(input, Fetch(job, task.input().digest()));
+    TILEMEND_ASSIGN_OR_RETURN(input, Fetch(held, task.input().digest()));
   }
   for (const std::string& part : PartsOf(static_cast<Stage>(task.stage()), input)) {
-    TILEMEND_ASSIGN_OR_RETURN(const auto bytes, Part(job, part));
+    TILEMEND_ASSIGN_OR_RETURN(const auto bytes, Part(held, part));
     input += *bytes;
   }
   return input;
 }
 
-absl::StatusOr<std::shared_ptr<const std::string>> Worker::Part(const std::string& job, const std::string& digest) {
+absl::StatusOr<std::shared_ptr<const std::string>> Worker::Part(const Held& held, const std::string& digest) {
   if (auto known = parts_.Find(digest)) return known;
-  TILEMEND_ASSIGN_OR_RETURN(std::string bytes, Fetch(job, digest));
+  TILEMEND_ASSIGN_OR_RETURN(std::string bytes, Fetch(held, digest));
   auto part = std::make_shared<const std::string>(std::move(bytes));
   parts_.Put(digest, part, part->size());
   return part;
 }
 
-absl::StatusOr<std::string> Worker::Fetch(const std::string& job, const std::string& digest) {
-  auto read = link_->ReadBlob(job, digest);
+absl::StatusOr<std::string> Worker::Fetch(const Held& held, const std::string& digest) {
+  auto read = link_->ReadBlob(held.task.ref().job(), digest);
+  for (int tried = 0; !read.ok() && MayTryAgain(held, read.status(), tried); ++tried) {
+    read = link_->ReadBlob(held.task.ref().job(), digest);
+  }
   // What the coordinator has lost is no fault of the task.
   if (absl::IsNotFound(read.status())) return absl::UnavailableError(read.status().message());
   return read;
@@ -399,7 +416,8 @@ absl::StatusOr<std::string> Worker::RunStage(Stage stage, const std::string& inp
   }
 }
 
-v1::FinishedTask Worker::Report(const v1::Task& task, absl::StatusOr<std::string> output) {
+v1::FinishedTask Worker::Report(const Held& held, absl::StatusOr<std::string> output) {
+  const v1::Task& task = held.task;
   v1::FinishedTask report;
   *report.mutable_ref() = task.ref();
   report.set_stage(task.stage());
@@ -413,7 +431,10 @@ v1::FinishedTask Worker::Report(const v1::Task& task, absl::StatusOr<std::string
       return report;
     }
     blob.set_digest(Sha256Hex(*output));
-    const absl::Status written = link_->WriteBlob(task.ref(), options_.id, blob.digest(), *output);
+    absl::Status written = link_->WriteBlob(task.ref(), options_.id, blob.digest(), *output);
+    for (int tried = 0; !written.ok() && MayTryAgain(held, written, tried); ++tried) {
+      written = link_->WriteBlob(task.ref(), options_.id, blob.digest(), *output);
+    }
     if (written.ok()) {
       *report.mutable_output() = std::move(blob);
       return report;

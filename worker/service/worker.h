@@ -107,12 +107,14 @@ class Worker {
   void Look(const v1::JobFolders& folders);
   // With its parts.
   absl::StatusOr<std::string> InputOf(const Held& held);
-  absl::StatusOr<std::shared_ptr<const std::string>> Part(const std::string& job, const std::string& digest);
-  absl::StatusOr<std::string> Fetch(const std::string& job, const std::string& digest);
+  absl::StatusOr<std::shared_ptr<const std::string>> Part(const Held& held, const std::string& digest);
+  absl::StatusOr<std::string> Fetch(const Held& held, const std::string& digest);
+  // Whether a call for the task that failed so is worth another try; waits before that.
+  bool MayTryAgain(const Held& held, const absl::Status& status, int tried);
   std::optional<absl::StatusOr<std::string>> Compute(Held& held, const std::string& input);
   absl::StatusOr<std::string> RunStage(Stage stage, const std::string& input, const CancelToken& cancel);
   void LogFailure(const v1::Task& task, const v1::Status& error) const;
-  v1::FinishedTask Report(const v1::Task& task, absl::StatusOr<std::string> output);
+  v1::FinishedTask Report(const Held& held, absl::StatusOr<std::string> output);
 
   const WorkerOptions options_;
   const std::string secret_;

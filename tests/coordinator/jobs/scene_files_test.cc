@@ -45,6 +45,15 @@ TEST(SceneFilesTest, ANewLibraryHasANameThatNoFileOfTheSceneHas) {
   EXPECT_EQ(files.NewFileFor("Data/T/T.obj", "mtl"), "Data/T/T_tilemend3.mtl");
 }
 
+TEST(SceneFilesTest, ANewFileHasANameThatAFolderTakes) {
+  const SceneFiles files("");
+  std::string tile = "T/";
+  for (int k = 0; k < 125; ++k) tile += "\u00e9";  // two bytes each
+  const std::string name = files.NewFileFor(tile + ".obj", "mtl");
+  EXPECT_LE(name.size() - 2, 255U);
+  EXPECT_TRUE(name.ends_with("\u00e9_tilemend.mtl")) << name;
+}
+
 // The output is the scene's folder "out", and one of the scene's files lies where another would be written.
 TEST(SceneFilesTest, NoFileIsCarriedOverAnotherOfTheScene) {
   SceneFiles files("out");

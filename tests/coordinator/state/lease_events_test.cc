@@ -384,6 +384,13 @@ TEST_F(LeaseEventsTest, AMachineThatFailsAgainAndAgainRests) {
   EXPECT_EQ(state_.FindWorker("w")->rests_until, now_ + absl::Milliseconds(250)) << "it starts anew";
 }
 
+TEST_F(LeaseEventsTest, AllThatFailsAtOnceIsOneTrouble) {
+  AddJob("a", 12);
+  See("cut off");
+  for (int task = 1; task <= 12; ++task) Return(Key("a", task), "cut off", Lease(Key("a", task), "cut off"));
+  EXPECT_EQ(state_.FindWorker("cut off")->rests_until, now_ + absl::Milliseconds(250));
+}
+
 class SecondAttemptTest : public StateTest {
  protected:
   void SetUp() override {

@@ -138,6 +138,18 @@ TEST_F(TaskChoiceTest, WhatOneMachineGivesBackGoesToAnotherFirst) {
   EXPECT_THAT(Choose("full"), SizeIs(1)) << "there is no other any more";
 }
 
+TEST_F(TaskChoiceTest, WhatOneMachineGaveBackIsNotLeftToOthersForEver) {
+  AddJob("a", 1);
+  See("cut off");
+  See("stuck");
+  Return(Key("a", 1), "cut off", Lease(Key("a", 1), "cut off"));
+  now_ += absl::Seconds(1);
+  EXPECT_THAT(Choose("cut off"), IsEmpty());
+  now_ += absl::Seconds(10);
+  See("stuck");
+  EXPECT_THAT(Choose("cut off"), SizeIs(1)) << "the other has not taken it";
+}
+
 TEST_F(TaskChoiceTest, GivesTasksBeyondThreadsWhileMoreWaitThanOthersCanHold) {
   AddJob("j", 6);
   See("a", 1, false, 2);

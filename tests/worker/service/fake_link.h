@@ -37,9 +37,11 @@ class FakeCoordinator {
     std::lock_guard<std::mutex> lock(mutex_);
     return blobs_[digest];
   }
-  void FailWrites(absl::Status status) {
+  // The next `times`; 0: all.
+  void FailWrites(absl::Status status, int times = 0) {
     std::lock_guard<std::mutex> lock(mutex_);
     write_status_ = std::move(status);
+    failing_writes_ = times;
   }
 
   std::unique_ptr<WorkLink> NewLink() { return std::make_unique<Link>(*this); }
@@ -83,7 +85,9 @@ class FakeCoordinator {
                            const std::string& bytes) override {
       std::lock_guard<std::mutex> lock(owner_.mutex_);
       if (owner_.write_status_.ok()) owner_.blobs_[digest] = bytes;
-      return owner_.write_status_;
+      const absl::Status status = owner_.write_status_;
+      if (owner_.failing_writes_ > 0 && --owner_.failing_writes_ == 0) owner_.write_status_ = absl::OkStatus();
+      return status;
     }
 
    private:
@@ -96,6 +100,7 @@ class FakeCoordinator {
   std::optional<absl::StatusOr<v1::SyncResponse>> answer_;
   std::map<std::string, std::string> blobs_;
   absl::Status write_status_;
+  int failing_writes_ = 0;
 };
 
 }  // namespace tilemend

@@ -243,6 +243,18 @@ TEST_F(WorkerTest, WritesALargeOutputAsABlob) {
   EXPECT_EQ(StatusFromProto(Run(large, TaskOf(2, "")).error()), absl::ResourceExhaustedError("disk full"));
 }
 
+TEST_F(WorkerTest, SendsAResultAgainThatACutConnectionDidNotTake) {
+  const StageRunner large = [](Stage, const std::string&, const CancelToken&) -> absl::StatusOr<std::string> {
+    return std::string(kInlineBlobBytes + 1, 'y');
+  };
+  coordinator_.FailWrites(absl::UnavailableError("socket closed"), 2);
+  const v1::FinishedTask report = Run(large, TaskOf(1, ""));
+  ASSERT_TRUE(report.has_output()) << report.DebugString();
+  EXPECT_EQ(coordinator_.Blob(report.output().digest()).size(), kInlineBlobBytes + 1);
+  coordinator_.FailWrites(absl::UnavailableError("no room at the coordinator's"));
+  EXPECT_TRUE(absl::IsUnavailable(StatusFromProto(Run(large, TaskOf(2, "")).error()))) << "but not for ever";
+}
+
 TEST_F(WorkerTest, SendsNoMoreInOneCallThanFits) {
   const size_t fit = kMaxInlineBytesPerSync / kInlineBlobBytes;
   const auto worker = NewWorker([](Stage, const std::string&, const CancelToken&) -> absl::StatusOr<std::string> {
