@@ -103,7 +103,7 @@ class TimedServer : public httplib::Server {
   TimedServer(TlsContext context, ConnectionLimits limits)
       : context_(std::move(context)),
         limits_(limits),
-        room_({.time = std::min(limits.time, kMostIdle), .whole_head = context_ == nullptr},
+        room_({.time = std::min(limits.time, kMostIdle), .whole_request = context_ == nullptr},
               [this](int fd) { pool_.Run([this, fd] { Serve(fd); }); }) {
     new_task_queue = [this] { return new RunAtOnce([this] { Stop(); }); };
   }
@@ -180,6 +180,21 @@ HttpRequest RequestOf(const httplib::Request& from) {
   return request;
 }
 
+// Before the body comes: the library would read one that it refuses, and a thread wait for it.
+bool RefuseByHead(const httplib::Request& request, size_t most_bytes, httplib::Response& response) {
+  if (request.has_header("Transfer-Encoding")) {
+    response.status = 411;
+    response.body = "a body needs its length before it (Content-Length)\n";
+  } else if (request.get_header_value<uint64_t>("Content-Length") > most_bytes) {
+    response.status = 413;
+    response.body = absl::StrCat("a body has at most ", most_bytes, " bytes\n");
+  } else {
+    return false;
+  }
+  response.set_header("Content-Type", "text/plain; charset=utf-8");
+  return true;
+}
+
 void AllowAddressAgain(int socket) {
   const int yes = 1;
   setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
@@ -219,6 +234,12 @@ void HttpServer::Impl::Answer(const httplib::Request& request, httplib::Response
 
 bool HttpServer::Impl::Listen(const std::string& host, int wanted_port, size_t request_body_bytes) {
   server->set_payload_max_length(request_body_bytes);
+  server->set_pre_routing_handler([=](const httplib::Request& request, httplib::Response& response) {
+    return RefuseByHead(request, request_body_bytes, response) ? httplib::Server::HandlerResponse::Handled
+                                                               : httplib::Server::HandlerResponse::Unhandled;
+  });
+  // Bodies are small, and who waits to send one would keep a thread.
+  server->set_expect_100_continue_handler([](const httplib::Request&, httplib::Response&) { return 417; });
   server->set_socket_options(AllowAddressAgain);
   const auto answer = [this](const httplib::Request& request, httplib::Response& response) {
     Answer(request, response);

@@ -50,9 +50,9 @@ struct HttpLimits {
   size_t request_body_bytes = 4096;
 };
 
-// 16 threads answer the connections from which a whole request head came. 64 such are served or wait for a thread.
-// 256 others wait without a thread (waiting_room.h); of more, those that came first are closed. So connections that ask
-// nothing, or ask byte by byte, delay nobody. A request has 64 KB at most.
+// 16 threads answer the connections from which a whole request came (of TLS its first byte). 64 such are served or wait
+// for a thread. 256 others wait without a thread (waiting_room.h); of more, those that came first are closed. So
+// connections that ask nothing, or ask byte by byte, delay nobody. A request has 64 KB at most.
 class HttpServer {
  public:
   // Called on threads of the server.

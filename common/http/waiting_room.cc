@@ -11,6 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "absl/strings/match.h"
+#include "absl/strings/numbers.h"
+#include "absl/strings/str_split.h"
+#include "absl/strings/string_view.h"
 #include "absl/time/clock.h"
 
 namespace tilemend {
@@ -18,8 +22,28 @@ namespace {
 
 // How often it is looked for connections whose time is over.
 constexpr int kLookMilliseconds = 250;
-// Of a head; a longer one goes on to a thread, which reads it in its own time.
-constexpr size_t kMostHead = 8192;
+
+constexpr std::string_view kHeadEnd = "\r\n\r\n";
+
+// Bytes of a request; a longer one goes on to a thread, which reads or refuses it in its own time.
+constexpr size_t kMostRequest = 8192;
+
+// What the head says of the body; 0 if it says nothing that can be read.
+size_t BodyLength(absl::string_view head) {
+  for (const absl::string_view line : absl::StrSplit(head, "\r\n")) {
+    const std::pair<absl::string_view, absl::string_view> field = absl::StrSplit(line, absl::MaxSplits(':', 1));
+    size_t length = 0;
+    if (absl::EqualsIgnoreCase(field.first, "content-length") && absl::SimpleAtoi(field.second, &length)) return length;
+  }
+  return 0;
+}
+
+bool IsWhole(std::string_view request) {
+  const size_t end = request.find(kHeadEnd);
+  if (end == std::string_view::npos) return request.size() == kMostRequest;
+  const size_t length = BodyLength({request.data(), end}), there = request.size() - end - kHeadEnd.size();
+  return there >= length || length > kMostRequest - end - kHeadEnd.size();
+}
 
 }  // namespace
 
@@ -75,11 +99,10 @@ void WaitingRoom::CloseOverdue() {
 }
 
 bool WaitingRoom::IsReady(int fd) const {
-  std::array<char, kMostHead> head{};
-  const ssize_t count = recv(fd, head.data(), head.size(), MSG_PEEK | MSG_DONTWAIT);
+  std::array<char, kMostRequest> request{};
+  const ssize_t count = recv(fd, request.data(), request.size(), MSG_PEEK | MSG_DONTWAIT);
   if (count < 0) return errno != EAGAIN && errno != EINTR;
-  if (count == 0 || !limits_.whole_head || static_cast<size_t>(count) == head.size()) return true;
-  return std::string_view(head.data(), static_cast<size_t>(count)).find("\r\n\r\n") != std::string_view::npos;
+  return count == 0 || !limits_.whole_request || IsWhole({request.data(), static_cast<size_t>(count)});
 }
 
 void WaitingRoom::TakeReady(int fd) {

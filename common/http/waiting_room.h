@@ -20,7 +20,7 @@ class WaitingRoom {
   struct Limits {
     size_t connections = 256;
     absl::Duration time = absl::Seconds(5);  // then a connection is closed
-    bool whole_head = true;                  // wait for the end of the request's head; false (TLS): for its first byte
+    bool whole_request = true;               // wait for its head and its body; false (TLS): for its first byte
   };
 
   // `leave` is called on the thread with each connection that has sent what it waits for; it takes the socket.

@@ -88,6 +88,22 @@ TEST(HttpServerTest, RefusesABodyThatIsTooLarge) {
   EXPECT_EQ(result->status, 413);
 }
 
+TEST(HttpServerTest, RefusesABodyByItsHead) {
+  const auto server = Serve([](const HttpRequest& request) { return HttpAnswer{.body = request.body}; });
+  const auto answer = [&](const std::string& field) {
+    const int fd = Connected(server->port());
+    const std::string head = absl::StrCat("POST / HTTP/1.1\r\nHost: x\r\n", field, "\r\n\r\n");
+    EXPECT_EQ(write(fd, head.data(), head.size()), static_cast<ssize_t>(head.size()));
+    std::string line(12, ' ');
+    EXPECT_EQ(read(fd, line.data(), line.size()), 12);
+    close(fd);
+    return line;
+  };
+  EXPECT_EQ(answer("Content-Length: 4097"), "HTTP/1.1 413");
+  EXPECT_EQ(answer("Transfer-Encoding: chunked"), "HTTP/1.1 411");
+  EXPECT_EQ(answer("Content-Length: 0\r\nExpect: 100-continue"), "HTTP/1.1 417");
+}
+
 TEST(HttpServerTest, TwoThousandOpenConnectionsDelayNobody) {
   rlimit limit{};
   ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &limit), 0);

@@ -57,8 +57,30 @@ TEST_F(WaitingRoomTest, AConnectionLeavesWhenItsRequestIsThere) {
   EXPECT_EQ(left_, asking.theirs);
 }
 
+TEST_F(WaitingRoomTest, ABodyIsWaitedForWithoutAThread) {
+  WaitingRoom room({}, Leave());
+  const Pair asking;
+  room.Add(asking.theirs);
+  asking.Say("POST / HTTP/1.1\r\ncontent-LENGTH: 4\r\n\r\nbod");
+  EXPECT_FALSE(leave_.try_acquire_for(std::chrono::milliseconds(50)));
+  asking.Say("y");
+  leave_.acquire();
+  EXPECT_EQ(left_, asking.theirs);
+}
+
+TEST_F(WaitingRoomTest, ABodyThatIsTooLongIsNotWaitedFor) {
+  WaitingRoom room({}, Leave());
+  for (const char* length : {"100000", "99999999999999999999", "-1", "x"}) {
+    const Pair asking;
+    room.Add(asking.theirs);
+    asking.Say(std::string("POST / HTTP/1.1\r\nContent-Length: ") + length + "\r\n\r\n");
+    leave_.acquire();
+    EXPECT_EQ(left_, asking.theirs);
+  }
+}
+
 TEST_F(WaitingRoomTest, OverTlsTheFirstByteIsEnough) {
-  WaitingRoom room({.whole_head = false}, Leave());
+  WaitingRoom room({.whole_request = false}, Leave());
   const Pair asking;
   room.Add(asking.theirs);
   asking.Say("x");
