@@ -104,7 +104,8 @@ void StopOnSignal(Session& session) {
 
 // Prints a job that was just made, or waits for its end.
 int AfterStart(Session& session, const Args& args, absl::StatusOr<v1::Job> job) {
-  if (ErrorReason(job.status()) == "SCENE_NOT_FOUND") {
+  const std::string reason = ErrorReason(job.status());
+  if (reason == "SCENE_NOT_FOUND" || reason == "FILE_NOT_FOUND") {
     job = absl::NotFoundError(absl::StrCat(std::string(job.status().message()), " where the coordinator runs"));
   }
   if (job.ok() && args.Switch("wait")) {

@@ -127,6 +127,10 @@ absl::Status SetFromText(const Option& option, const std::string* text, v1::JobS
 
 v1::JobSpec WithDefaults(v1::JobSpec spec) {
   spec.DiscardUnknownFields();  // options of earlier releases
+  // The slash would be part of the keys of objects.
+  for (std::string* const path : {spec.mutable_scene(), spec.mutable_out()}) {
+    while (path->find("://") != std::string::npos && path->ends_with('/')) path->pop_back();
+  }
   for (const Option& option : AllOptions()) {
     if ((option.commands & kOfJobs) != 0) OptionField(option).SetDefault(spec);
   }

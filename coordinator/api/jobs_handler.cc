@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
@@ -36,15 +37,40 @@ absl::Status CheckScene(const std::string& scene) {
                        {"SCENE_NOT_FOUND", {{"scene", scene}}});
 }
 
+struct FieldPath {
+  const char* field;
+  std::string path;
+};
+
+// The files that a job reads beside its scene.
+std::vector<FieldPath> FilesOf(const JobSpec& spec) {
+  const bool water_is_file = spec.water() != "auto" && spec.water() != "off";
+  std::vector<FieldPath> files = {{"water", water_is_file ? spec.water() : ""},
+                                  {"clear", spec.clear()},
+                                  {"decisions", spec.decisions()},
+                                  {"area", spec.area()}};
+  std::erase_if(files, [](const FieldPath& file) { return file.path.empty(); });
+  return files;
+}
+
+// FILE_NOT_FOUND names the first field whose file is not there. What else is wrong with it the job tells. Without the
+// lock: a mount may hang.
+absl::Status CheckFiles(const JobSpec& spec) {
+  for (const auto& [field, path] : FilesOf(spec)) {
+    if (!absl::IsNotFound(LookAt(path).status())) continue;
+    return WithErrorInfo(absl::NotFoundError(absl::StrCat(field, ": ", Printable(path), ": no such file")),
+                         {"FILE_NOT_FOUND", {{"field", field}}});
+  }
+  return absl::OkStatus();
+}
+
 // OUTSIDE_ROOTS names the first field whose path is not below the roots. Without the lock: a mount may hang.
 absl::Status CheckRoots(const Roots* roots, const JobSpec& spec) {
   if (roots == nullptr) return absl::OkStatus();
-  const bool water_is_file = spec.water() != "auto" && spec.water() != "off";
-  for (const auto& [field, path] :
-       {std::pair("scene", spec.scene()), std::pair("out", spec.out()),
-        std::pair("water", water_is_file ? spec.water() : ""), std::pair("clear", spec.clear()),
-        std::pair("decisions", spec.decisions()), std::pair("area", spec.area())}) {
-    const absl::Status status = path.empty() ? absl::OkStatus() : roots->Check(path);
+  std::vector<FieldPath> paths = FilesOf(spec);
+  paths.insert(paths.begin(), {{"scene", spec.scene()}, {"out", spec.out()}});
+  for (const auto& [field, path] : paths) {
+    const absl::Status status = roots->Check(path);
     if (!status.ok()) {
       return WithErrorInfo(absl::PermissionDeniedError(absl::StrCat(field, ": ", std::string(status.message()))),
                            {"OUTSIDE_ROOTS", {{"field", field}}});
@@ -58,6 +84,7 @@ absl::Status CheckRoots(const Roots* roots, const JobSpec& spec) {
 absl::Status CheckOutputGone(const JobSpec& spec) {
   if (spec.overwrite() || spec.dry_run()) return absl::OkStatus();
   const auto names = ListFolder(spec.out());
+  if (!names.ok() && !absl::IsNotFound(names.status())) return names.status();
   const bool gone = !names.ok() || std::all_of(names->begin(), names->end(),
                                                [](const std::string& name) { return name.starts_with(".tilemend-"); });
   if (gone) return absl::OkStatus();
@@ -74,8 +101,9 @@ absl::StatusOr<v1::Job> JobsHandler::CreateJob(const v1::CreateJobRequest& reque
   TILEMEND_RETURN_IF_ERROR(CheckJob(spec));
   TILEMEND_RETURN_IF_ERROR(CheckPriority(request.priority()));
   TILEMEND_RETURN_IF_ERROR(CheckRoots(cluster_.options.roots.get(), spec));
-  // Both without the lock: a mount may hang.
+  // All without the lock: a mount may hang.
   absl::Status folders = CheckScene(spec.scene());
+  folders.Update(CheckFiles(spec));
   folders.Update(CheckOutputTakes(spec));
   return AnswerWhenDurable(cluster_, [&]() -> absl::StatusOr<v1::Job> {
     TILEMEND_RETURN_IF_ERROR(OnlyIfNew(request.request_id(), folders));

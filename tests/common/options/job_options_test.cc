@@ -39,6 +39,15 @@ std::string Fault(const std::function<void(JobSpec&)>& change) {
   return GetErrorInfo(status)->metadata.at("field");
 }
 
+TEST(JobOptionsTest, ObjectsHaveNoSlashAtTheirEnd) {
+  JobSpec spec;
+  spec.set_scene("s3://city/scene/");
+  spec.set_out("s3://city/out//");
+  spec = WithDefaults(spec);
+  EXPECT_EQ(spec.scene(), "s3://city/scene");
+  EXPECT_EQ(spec.out(), "s3://city/out");
+}
+
 TEST(JobOptionsTest, TheDefaultsNeedOnlyPaths) {
   EXPECT_TRUE(CheckJob(Valid()).ok());
   EXPECT_EQ(Fault([](JobSpec& s) { s.clear_scene(); }), "scene");

@@ -30,6 +30,15 @@ TEST_F(JobsHandlerTest, RefusesSpecsOutOfRange) {
   EXPECT_EQ(GetErrorInfo(calls_.jobs.CreateJob(request).status())->metadata.at("field"), "surface");
 }
 
+TEST_F(JobsHandlerTest, FilesThatAreNotThereAreNamedBeforeTheJobBegins) {
+  v1::CreateJobRequest request = NewRequest();
+  request.mutable_spec()->set_clear("/nowhere/lakes.geojson");
+  const auto status = calls_.jobs.CreateJob(request).status();
+  EXPECT_TRUE(absl::IsNotFound(status));
+  EXPECT_THAT(status.message(), testing::HasSubstr("clear: /nowhere/lakes.geojson: no such file"));
+  EXPECT_EQ(GetErrorInfo(status)->metadata.at("field"), "clear");
+}
+
 TEST_F(JobsHandlerTest, ListsNewestFirstInPages) {
   std::vector<std::string> names;
   for (const char* out : {"1", "2", "3"}) names.push_back(calls_.jobs.CreateJob(NewRequest(out))->name());
