@@ -34,10 +34,17 @@ double ApartOf(const Json& row) {
 
 double FillApartOf(const Json& row) { return Number(Member(Member(row, "fill_apart_m"), "percentile_99")); }
 
+// "[0,0] [1,0]"
+std::string CellsText(const Json& cells) {
+  std::vector<std::string> texts;
+  for (const Json& cell : cells) texts.push_back(Text(cell));
+  return absl::StrJoin(texts, " ");
+}
+
 std::vector<std::string> Row(const Json& row) {
   const bool overlap = Member(row, "kind") == "overlap";
   const Json& fill = Member(row, "fill_apart_m");
-  return {Text(Member(row, "cells")),
+  return {CellsText(Member(row, "cells")),
           Text(Member(row, "kind")),
           overlap ? Decimals(Member(row, "offset_m"), 3) : "",
           absl::StrFormat("%.3f", ApartOf(row)),

@@ -25,6 +25,7 @@
 #include "common/codec/mesh_file.h"
 #include "common/options/job_options.h"
 #include "common/records/surface.h"
+#include "common/store/fingerprint.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "common/util/stopwatch.h"
@@ -49,7 +50,7 @@ std::string FolderOf(const std::string& path) {
 
 // Writes the materials of the filled faces, and carries what the mesh names to the output's folder, where it is not
 // there already. Gives warnings.
-absl::StatusOr<std::vector<std::string>> WriteFilesBeside(const std::string& in, const std::string& out, bool overwrite,
+absl::StatusOr<std::vector<std::string>> WriteFilesBeside(const std::string& in, const std::string& out,
                                                           const FilledMesh& filled) {
   const std::string to = FolderOf(out);
   const std::string own = filled.materials.empty() ? "" : LibraryFor(out);
@@ -66,10 +67,14 @@ absl::StatusOr<std::vector<std::string>> WriteFilesBeside(const std::string& in,
   for (const auto* files : {&filled.files.libraries, &filled.files.images}) {
     for (const std::string& file : *files) {
       if (file == own) continue;
-      if (overwrite || !std::filesystem::exists(absl::StrCat(to, "/", file), error)) {
+      const std::string there = absl::StrCat(to, "/", file);
+      if (!std::filesystem::exists(there, error)) {
         carried.push_back(file);
-      } else {
-        warnings.push_back(absl::StrCat(to, "/", file, ": exists already and is left as it is"));
+      } else if (!HaveSameContent(absl::StrCat(FolderOf(in), "/", file), there)) {
+        // It may be another mesh's, whatever may be replaced.
+        warnings.push_back(absl::StrCat(there,
+                                        ": is another file than the input's and is left as it is, so the output "
+                                        "may look wrong; choose an --out in another folder"));
       }
     }
   }
@@ -198,7 +203,7 @@ int FillCommand(const Args& args) {
   Stopwatch watch;
   // Somebody else may have written there since.
   if (const absl::Status status = CheckPaths(in, out, overwrite); !status.ok()) return PrintError(status);
-  auto warnings = WriteFilesBeside(in, out, overwrite, *filled);
+  auto warnings = WriteFilesBeside(in, out, *filled);
   if (!warnings.ok()) return PrintError(warnings.status());
   filled->report.warnings.insert(filled->report.warnings.end(), warnings->begin(), warnings->end());
   if (const absl::Status status = WriteFileAtomically(out, filled->bytes); !status.ok()) return PrintError(status);

@@ -61,11 +61,11 @@ std::string LevelsText(const Json& report) {
                       "level 0 is the coarsest.\n");
 }
 
-// "surface thin-plate, tension auto, ..."; switches that are off are left out.
+// "surface thin-plate, tension auto, ..."; switches that are off, and what was not given, are left out.
 std::string OptionsText(const Json& options) {
   std::vector<std::string> parts;
   for (const auto& [name, value] : options.items()) {
-    if (value != false) parts.push_back(value == true ? name : absl::StrCat(name, " ", Text(value)));
+    if (value != false && value != "") parts.push_back(value == true ? name : absl::StrCat(name, " ", Text(value)));
   }
   return absl::StrJoin(parts, ", ");
 }
@@ -100,23 +100,38 @@ std::string TensionText(const Json& report) {
                       Table({"", "tension, 1/m2", "hold-out error, m"}, rows));
 }
 
-// Of `object` the members that are not 0, each as "NAME KEY".
-void AddMembers(const Json& object, const char* name, int digits, Rows& rows) {
-  if (!object.is_object()) return;
-  for (const auto& [key, value] : object.items()) {
-    if (value.is_number() && value == 0) continue;
-    rows.push_back({absl::StrCat(name, " ", key), value.is_number_float() ? Decimals(value, digits) : Text(value)});
-  }
-}
+struct Figure {
+  const char* path;  // of the report
+  const char* words;
+  int digits = 0;
+};
+
+constexpr Figure kFigures[] = {
+    {"/single/simple", "closed holes: simple"},
+    {"/single/crack", "closed holes: crack"},
+    {"/single/dislocation", "closed holes: dislocation"},
+    {"/single/annular", "closed holes: annular"},
+    {"/single/island", "closed holes: island"},
+    {"/continuous", "groups of holes that touch at a vertex"},
+    {"/outer_rims", "outlines of detached pieces"},
+    {"/quality/triangles", "triangles filled"},
+    {"/quality/mean", "their shape, 0 to 1: mean", 2},
+    {"/quality/fifth_percentile", "at 5 % below", 2},
+    {"/quality/least", "worst", 4},
+    {"/quality/poor", "of poor shape"},
+    {"/quality/poor_forced_by_rim", "forced by the rim"},
+};
 
 std::string FiguresText(const Json& report) {
   Rows rows;
-  AddMembers(Member(report, "single"), "closed holes:", 0, rows);
-  for (const char* name : {"continuous", "outer_rims"}) {
-    if (Number(Member(report, name)) != 0) rows.push_back({name, Text(Member(report, name))});
+  for (const Figure& figure : kFigures) {
+    const Json::json_pointer path(figure.path);
+    if (!report.contains(path) || Number(report.at(path)) == 0) continue;
+    rows.push_back({figure.words, Decimals(report.at(path), figure.digits)});
   }
-  AddMembers(Member(report, "quality"), "quality", 4, rows);
-  AddMembers(Member(report, "seconds"), "seconds", 3, rows);
+  if (const Json& seconds = Member(report, "seconds"); seconds.is_object()) {
+    for (const auto& [step, time] : seconds.items()) rows.push_back({absl::StrCat(step, ", s"), Decimals(time, 3)});
+  }
   const Json& memory = Member(report, "peak_rss_bytes");
   if (memory.is_number()) rows.push_back({"peak memory, MB", absl::StrFormat("%.0f", Number(memory) / 1e6)});
   return rows.empty() ? "" : absl::StrCat("\n", Table({"figures", ""}, rows));

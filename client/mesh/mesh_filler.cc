@@ -1,5 +1,8 @@
 #include "client/mesh/mesh_filler.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -7,6 +10,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
 #include "client/mesh/file_mesh.h"
 #include "client/mesh/single_mesh.h"
 #include "common/assemble/assemble.h"
@@ -21,6 +25,9 @@
 
 namespace tilemend {
 namespace {
+
+// Of the length of an edge. Coordinates that are rounded to more turn a triangle by more than half a degree.
+constexpr double kCoarseStep = 0.01;
 
 // Does the work on one mesh, one piece after the other.
 class MeshFiller {
@@ -65,6 +72,7 @@ class MeshFiller {
           absl::StrCat(mesh_.name(), ": every face is there more than once; the holes of one copy were filled"));
     }
     WarnOfTurnedFaces();
+    WarnOfCoarseNumbers();
     EndStep("read");
     show_("find holes", 0, 0);
     return CheckNotCancelled();
@@ -83,6 +91,26 @@ class MeshFiller {
           mesh_.name(), ": at ", left,
           " edges the two faces are turned opposite ways, and the surface there has one side only; orient its faces"));
     }
+  }
+
+  void WarnOfCoarseNumbers() {
+    const SurveyRecord& record = survey_.record;
+    if (!record.float32 || record.edges.empty()) return;
+    const double largest = std::max(record.lo.cwiseAbs().maxCoeff(), record.hi.cwiseAbs().maxCoeff());
+    const float number = static_cast<float>(largest);
+    const double step = std::nextafter(number, std::numeric_limits<float>::infinity()) - number;
+    double length = 0;
+    for (const BoundaryEdge& edge : record.edges) {
+      length += (record.vertices[edge.to].position - record.vertices[edge.from].position).norm();
+    }
+    length /= static_cast<double>(record.edges.size());
+    if (step <= kCoarseStep * length) return;
+    filled_.report.warnings.push_back(absl::StrFormat(
+        "%s: its coordinates are single-precision numbers, %g apart at their size, and its edges at holes are %.2g "
+        "long: "
+        "shapes are not finer than that; give double precision, or take an offset off the coordinates before they are "
+        "rounded",
+        mesh_.name(), step, length));
   }
 
   // A mesh of needles alone has no hole, and nothing else either.

@@ -44,9 +44,9 @@ class JobFiles {
                               const std::string& path);
 
  private:
-  LoadedValues<SceneSight> sights_{8};
-  LoadedValues<std::string> holes_{4};
-  LoadedValues<std::string> reviews_{4};
+  LoadedValues<SceneSight> sights_{16};
+  LoadedValues<std::string> holes_{16};
+  LoadedValues<std::string> reviews_{16};
 };
 
 }  // namespace tilemend

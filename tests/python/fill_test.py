@@ -119,6 +119,13 @@ class FillTest(unittest.TestCase):
                     self.assertEqual(filled.vertices.tobytes(), expected.vertices.tobytes())
                     self.assertEqual(filled.faces.tobytes(), expected.faces.tobytes())
 
+    def test_single_precision_far_from_the_origin_is_told(self):
+        vertices, faces = sphere()
+        far = vertices + [500000.0, 5000000.0, 0.0]
+        self.assertIn('single-precision numbers, 0.5 apart', ' '.join(tilemend.fill(far.astype(np.float32), faces).warnings))
+        for exact in (far, vertices.astype(np.float32)):
+            self.assertNotIn('single-precision', ' '.join(tilemend.fill(exact, faces).warnings))
+
     def test_a_mesh_without_holes_stays(self):
         vertices, faces = sphere(hole=0)
         filled = tilemend.fill(vertices, faces)
