@@ -81,8 +81,7 @@ class AtlasPacker {
       atlas_.image = {width, height, 3, {}};
       break;
     }
-    atlas_.image.pixels.assign(
-        size_t{3} * static_cast<size_t>(atlas_.image.width) * static_cast<size_t>(atlas_.image.height), 0);
+    FillWithMean();
     for (size_t i = 0; i < rasters_.size(); ++i) CopyPart(parts_[i], rasters_[i]);
     for (const SquareColours& colours : squares_) DrawSquare(colours);
     for (size_t t = 0; t < faces_.triangles.size(); ++t) {
@@ -94,8 +93,8 @@ class AtlasPacker {
  private:
   using SquareColours = std::array<Rgb, 3>;
 
-  // Gives the steep triangles of equal colours one square. If that leaves too many, it drops bits of the colours: 6
-  // bits less leave 4^9 squares at most.
+  // Gives the steep triangles of equal colours one square. If that leaves too
+  // many, it drops bits of the colours: 6 bits less leave 4^9 squares at most.
   void ShareSquares() {
     for (int bits = 0; !TryShareSquares(bits); ++bits) {
     }
@@ -129,7 +128,8 @@ class AtlasPacker {
     return true;
   }
 
-  // The pixels of each raster that its triangles need, with a gutter, and a square of squares for the steep ones.
+  // The pixels of each raster that its triangles need, with a gutter, and a
+  // square of squares for the steep ones.
   void SetParts() {
     std::vector<Eigen::AlignedBox2d> boxes(rasters_.size());
     for (size_t t = 0; t < faces_.triangles.size(); ++t) {
@@ -170,6 +170,34 @@ class AtlasPacker {
   uint8_t* PixelAt(int32_t x, int32_t y) {
     const auto row = static_cast<size_t>(atlas_.image.height - 1 - y);
     return &atlas_.image.pixels[3 * (row * static_cast<size_t>(atlas_.image.width) + static_cast<size_t>(x))];
+  }
+
+  // Viewers blend the pixels between the parts into them where they show the
+  // image much smaller than it is.
+  void FillWithMean() {
+    std::array<int64_t, 3> sum{};
+    int64_t count = 0;
+    const auto add = [&](Rgb c, int64_t pixels) {
+      sum = {sum[0] + pixels * c.r, sum[1] + pixels * c.g, sum[2] + pixels * c.b};
+      count += pixels;
+    };
+    for (size_t i = 0; i < rasters_.size(); ++i) {
+      const RasterFrame& frame = rasters_[i].frame;
+      const Part& part = parts_[i];
+      const int32_t end_x = std::min(part.x + part.width * scale_, frame.width),
+                    end_y = std::min(part.y + part.height * scale_, frame.height);
+      for (int32_t y = part.y; y < end_y; ++y) {
+        for (int32_t x = part.x; x < end_x; ++x) add(rasters_[i].colours[frame.At(x, y)], 1);
+      }
+    }
+    for (const SquareColours& square : squares_) {
+      for (const Rgb c : square) add(c, kSteepSide * kSteepSide / 3);
+    }
+    std::array<uint8_t, 3> mean{};
+    for (size_t c = 0; c < 3; ++c) mean[c] = static_cast<uint8_t>((sum[c] + count / 2) / std::max<int64_t>(count, 1));
+    const size_t pixels = static_cast<size_t>(atlas_.image.width) * static_cast<size_t>(atlas_.image.height);
+    atlas_.image.pixels.reserve(3 * pixels);
+    for (size_t i = 0; i < pixels; ++i) atlas_.image.pixels.insert(atlas_.image.pixels.end(), mean.begin(), mean.end());
   }
 
   // Means of scale x scale pixels.
@@ -218,7 +246,8 @@ class AtlasPacker {
     return corners;
   }
 
-  // A square with the first corner's colour at its lower left, the second's at its right, the third's at its top.
+  // A square with the first corner's colour at its lower left, the second's at
+  // its right, the third's at its top.
   void DrawSquare(const SquareColours& c) {
     constexpr double kSpan = kSteepSide - 2 * kInset;
     const auto [x0, y0] = NextSquare();
@@ -266,7 +295,8 @@ class AtlasPacker {
   int32_t steep_columns_ = 1;
   std::vector<SquareColours> squares_;                    // of the steep triangles, each once
   std::vector<int32_t> square_of_;                        // of each triangle, into `squares_`; -1: none
-  std::vector<int32_t> square_corners_;                   // the first of three coordinates of each square that is drawn
+  std::vector<int32_t> square_corners_;                   // the first of three coordinates of
+                                                          // each square that is drawn
   std::map<std::pair<int32_t, int32_t>, int32_t> known_;  // coordinates by raster and vertex
   Atlas atlas_;
 };

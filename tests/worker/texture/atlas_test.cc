@@ -132,5 +132,17 @@ TEST(AtlasTest, SteepFacesLeaveRoomForTheRasters) {
   EXPECT_EQ(TexelAt(atlas.image, double{uv[0]} + 1e-5, double{uv[1]} + 1e-5), (Rgb{20, 20, 77}));
 }
 
+TEST(AtlasTest, PixelsBetweenThePartsHaveTheMeanColour) {
+  const std::vector<Triangle> triangles = {{0, 1, 2}};
+  const RasterFrame frame{0.5, -4, -4, 24, 24};
+  const std::vector<MadeRaster> rasters = {{frame, std::vector<Rgb>(frame.size(), Rgb{90, 60, 30})}};
+  const std::vector<Point3> points = {{1, 1, 0}, {5, 1, 0}, {5, 2, 0}};
+  const Atlas atlas = PackAtlas({points, triangles, {0}, std::vector<Rgb>(3)}, rasters);
+  ASSERT_EQ(atlas.image.height, 16);  // more than the 10 pixels of the part
+  for (size_t i = 0; i < atlas.image.pixels.size(); i += 3) {
+    EXPECT_EQ((Rgb{atlas.image.pixels[i], atlas.image.pixels[i + 1], atlas.image.pixels[i + 2]}), (Rgb{90, 60, 30}));
+  }
+}
+
 }  // namespace
 }  // namespace tilemend
