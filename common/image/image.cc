@@ -75,6 +75,17 @@ JpegScans ScansOf(std::string_view bytes) {
   return scans;
 }
 
+// Turns cyan, magenta, yellow and black into red, green and blue; the fourth channel stays. Files have 255 for no ink,
+// as Adobe's programs write them; browsers and Pillow take them so, too.
+void MixInks(Image& image) {
+  for (size_t at = 0; at + 3 < image.pixels.size(); at += 4) {
+    const int black = image.pixels[at + 3];
+    for (size_t c = 0; c < 3; ++c) {
+      image.pixels[at + c] = static_cast<uint8_t>((image.pixels[at + c] * black + 127) / 255);
+    }
+  }
+}
+
 absl::StatusOr<Image> DecodeJpeg(std::string_view bytes, const std::string& name) {
   const std::unique_ptr<void, int (*)(tjhandle)> decoder(tjInitDecompress(), tjDestroy);
   if (decoder == nullptr) return absl::ResourceExhaustedError("no memory to decode an image");
@@ -93,14 +104,17 @@ absl::StatusOr<Image> DecodeJpeg(std::string_view bytes, const std::string& name
   const absl::Status size = CheckSize(width, height, scans.is_one ? kMostPixels : kMostBufferedPixels,
                                       static_cast<int64_t>(bytes.size()), kMostJpegPixelsPerByte, name);
   if (!size.ok()) return size;
+  const bool has_inks = space == TJCS_CMYK || space == TJCS_YCCK;
   tjscalingfactor scale{1, 1};
   while (scale.denom < 8 && TJSCALED(std::max(width, height), scale) > kFullSide) scale.denom *= 2;
-  Image image{TJSCALED(width, scale), TJSCALED(height, scale), 3, {}};
-  image.pixels.resize(size_t{3} * static_cast<size_t>(image.width) * static_cast<size_t>(image.height));
-  if (tjDecompress2(decoder.get(), data, bytes.size(), image.pixels.data(), image.width, 0, image.height, TJPF_RGB,
-                    TJFLAG_LIMITSCANS) != 0) {
+  Image image{TJSCALED(width, scale), TJSCALED(height, scale), has_inks ? 4 : 3, {}};
+  image.pixels.resize(static_cast<size_t>(image.channels) * static_cast<size_t>(image.width) *
+                      static_cast<size_t>(image.height));
+  if (tjDecompress2(decoder.get(), data, bytes.size(), image.pixels.data(), image.width, 0, image.height,
+                    has_inks ? TJPF_CMYK : TJPF_RGB, TJFLAG_LIMITSCANS) != 0) {
     return problem();
   }
+  if (has_inks) MixInks(image);
   return image;
 }
 

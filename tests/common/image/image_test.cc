@@ -58,6 +58,16 @@ TEST(DecodeImageTest, ReadsSequentialAndProgressiveJpeg) {
   }
 }
 
+TEST(DecodeImageTest, MixesInks) {
+  const auto image = DecodeImage(InkJpegImage(64, 64, QuartersOf(64), 255), "a.jpg");
+  ASSERT_TRUE(image.ok()) << image.status();
+  EXPECT_EQ(image->width, 64);
+  ExpectQuarters(*image, 3);
+  const auto dark = DecodeImage(InkJpegImage(64, 64, QuartersOf(64), 128), "a.jpg");
+  ASSERT_TRUE(dark.ok()) << dark.status();
+  ExpectNear(TexelAt(*dark, 0.75, 0.25), {125, 125, 125}, 3);
+}
+
 TEST(DecodeImageTest, DecodesLargeJpegsAtAPartOfTheirSize) {
   constexpr int32_t kSide = 2 * kFullSide;
   const auto image = DecodeImage(JpegImage(kSide, 512, QuartersOf(kSide)), "a.jpg");
