@@ -93,6 +93,25 @@ TEST(DecodeImageTest, RefusesImagesThatAreCutOff) {
   }
 }
 
+TEST(DecodeImageTest, ReadsJpegsWithBytesBetweenTheirMarkers) {
+  const std::string whole = JpegImage(64, 64, QuartersOf(64));
+  for (const std::string& marker : {std::string("\xff\xc0"), std::string("\xff\xd9")}) {
+    std::string bytes = whole;
+    bytes.insert(bytes.rfind(marker), "some text");
+    const auto image = DecodeImage(bytes, "a.jpg");
+    ASSERT_TRUE(image.ok()) << image.status();
+    ExpectQuarters(*image, 3);
+    bytes.resize(bytes.size() - 40);
+    EXPECT_FALSE(DecodeImage(bytes, "a.jpg").ok()) << "cut off as well";
+  }
+}
+
+TEST(DecodeImageTest, RefusesAJpegWhoseScanEndsEarly) {
+  std::string bytes = JpegImage(64, 64, [](int32_t x, int32_t y) { return Rgb{static_cast<uint8_t>(x * y), 0, 0}; });
+  bytes.erase(bytes.size() - 100, 98);  // before the marker of the end
+  EXPECT_THAT(DecodeImage(bytes, "a.jpg").status().message(), HasSubstr("damaged"));
+}
+
 TEST(DecodeImageTest, EndsOnAnyDamage) {
   for (const std::string& whole : {JpegImage(32, 32, QuartersOf(32)), PngImage(32, 32, QuartersOf(32)),
                                    JpegImage(32, 32, QuartersOf(32), TJFLAG_PROGRESSIVE)}) {
