@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 
 #include "absl/strings/str_cat.h"
+#include "common/util/status_macros.h"
 
 namespace tilemend {
 namespace {
@@ -54,6 +56,7 @@ struct JpegScans {
   // All components are in one sequential scan: it is decoded row by row, else the decoder keeps the coefficients of the
   // whole image.
   bool is_one = false;
+  bool has_end = false;  // the marker of the end is there
 };
 
 // Cost O(bytes).
@@ -62,9 +65,10 @@ JpegScans ScansOf(std::string_view bytes) {
   constexpr size_t kComponentsAt = 9;  // of a frame header, from its marker
   JpegScans scans;
   int components = -1;
-  for (size_t at = NextMarker(bytes, 2); at + 4 < bytes.size();) {
+  for (size_t at = NextMarker(bytes, 2); at < bytes.size();) {
     const uint8_t marker = ByteAt(bytes, at + 1);
-    if (marker == kImageEnd) break;
+    scans.has_end = marker == kImageEnd;
+    if (scans.has_end || at + 4 >= bytes.size()) break;
     if ((marker == kBaseline || marker == kExtended) && at + kComponentsAt < bytes.size()) {
       components = ByteAt(bytes, at + kComponentsAt);
     }
@@ -75,32 +79,56 @@ JpegScans ScansOf(std::string_view bytes) {
   return scans;
 }
 
+// Whether the decoder's last message is about bytes that it leaves out, and not about the pixels. It keeps only the
+// first warning, and an error after that.
+bool IsHarmless(std::string_view message) {
+  constexpr std::string_view kHarmless[] = {"extraneous bytes before marker", "Unknown Adobe color transform code",
+                                            "Invalid SOS parameters for sequential JPEG"};
+  return std::any_of(std::begin(kHarmless), std::end(kHarmless),
+                     [&](std::string_view text) { return message.find(text) != std::string_view::npos; });
+}
+
+// Turns cyan, magenta, yellow and black into red, green and blue; the fourth channel stays. Files have 255 for no ink,
+// as Adobe's programs write them; browsers and Pillow take them so, too.
+void MixInks(Image& image) {
+  for (size_t at = 0; at + 3 < image.pixels.size(); at += 4) {
+    const int black = image.pixels[at + 3];
+    for (size_t c = 0; c < 3; ++c) {
+      image.pixels[at + c] = static_cast<uint8_t>((image.pixels[at + c] * black + 127) / 255);
+    }
+  }
+}
+
 absl::StatusOr<Image> DecodeJpeg(std::string_view bytes, const std::string& name) {
   const std::unique_ptr<void, int (*)(tjhandle)> decoder(tjInitDecompress(), tjDestroy);
   if (decoder == nullptr) return absl::ResourceExhaustedError("no memory to decode an image");
-  const auto problem = [&] {
-    return Problem(name, absl::StrCat("a damaged JPEG image: ", tjGetErrorStr2(decoder.get())));
+  const JpegScans scans = ScansOf(bytes);
+  const auto check = [&](int result) {
+    if (result == 0) return absl::OkStatus();
+    const bool is_warning = tjGetErrorCode(decoder.get()) == TJERR_WARNING;
+    const std::string message = tjGetErrorStr2(decoder.get());
+    if (is_warning && scans.has_end && IsHarmless(message)) return absl::OkStatus();
+    return Problem(name, absl::StrCat("a damaged JPEG image: ", message));
   };
   const auto* const data = reinterpret_cast<const unsigned char*>(bytes.data());
   int width = 0, height = 0, subsampling = 0, space = 0;
-  if (tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling, &space) != 0) {
-    return problem();
-  }
-  const JpegScans scans = ScansOf(bytes);
+  TILEMEND_RETURN_IF_ERROR(
+      check(tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling, &space)));
   if (scans.count > kMostScans) {
     return Problem(name, absl::StrCat("a JPEG image of ", scans.count, " scans; at most ", kMostScans, " are read"));
   }
   const absl::Status size = CheckSize(width, height, scans.is_one ? kMostPixels : kMostBufferedPixels,
                                       static_cast<int64_t>(bytes.size()), kMostJpegPixelsPerByte, name);
   if (!size.ok()) return size;
+  const bool has_inks = space == TJCS_CMYK || space == TJCS_YCCK;
   tjscalingfactor scale{1, 1};
   while (scale.denom < 8 && TJSCALED(std::max(width, height), scale) > kFullSide) scale.denom *= 2;
-  Image image{TJSCALED(width, scale), TJSCALED(height, scale), 3, {}};
-  image.pixels.resize(size_t{3} * static_cast<size_t>(image.width) * static_cast<size_t>(image.height));
-  if (tjDecompress2(decoder.get(), data, bytes.size(), image.pixels.data(), image.width, 0, image.height, TJPF_RGB,
-                    TJFLAG_LIMITSCANS) != 0) {
-    return problem();
-  }
+  Image image{TJSCALED(width, scale), TJSCALED(height, scale), has_inks ? 4 : 3, {}};
+  image.pixels.resize(static_cast<size_t>(image.channels) * static_cast<size_t>(image.width) *
+                      static_cast<size_t>(image.height));
+  TILEMEND_RETURN_IF_ERROR(check(tjDecompress2(decoder.get(), data, bytes.size(), image.pixels.data(), image.width, 0,
+                                               image.height, has_inks ? TJPF_CMYK : TJPF_RGB, TJFLAG_LIMITSCANS)));
+  if (has_inks) MixInks(image);
   return image;
 }
 

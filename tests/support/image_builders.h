@@ -75,6 +75,25 @@ inline std::string JpegImage(int32_t width, int32_t height, const PixelColour& c
   return bytes;
 }
 
+// A JPEG of inks (YCCK). As in Adobe's files, 255 is no ink: `colour` is what `black` = 255 leaves as it is.
+inline std::string InkJpegImage(int32_t width, int32_t height, const PixelColour& colour, uint8_t black) {
+  std::vector<uint8_t> pixels;
+  for (int32_t row = 0; row < height; ++row) {
+    for (int32_t column = 0; column < width; ++column) {
+      const Rgb c = colour(column, row);
+      pixels.insert(pixels.end(), {c.r, c.g, c.b, black});
+    }
+  }
+  const tjhandle encoder = tjInitCompress();
+  unsigned char* out = nullptr;
+  unsigned long size = 0;  // NOLINT(google-runtime-int): the type that TurboJPEG asks for
+  tjCompress2(encoder, pixels.data(), width, 0, height, TJPF_CMYK, &out, &size, TJSAMP_444, 95, 0);
+  std::string bytes(reinterpret_cast<const char*>(out), size);
+  tjFree(out);
+  tjDestroy(encoder);
+  return bytes;
+}
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_TESTS_SUPPORT_IMAGE_BUILDERS_H_

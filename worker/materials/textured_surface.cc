@@ -40,6 +40,10 @@ std::string KeepImage(const TileTree& tile, int32_t file_number, const TreeGeome
   return key;
 }
 
+using GroupKey = std::pair<std::string, int32_t>;  // image, colour
+
+int32_t NumberOf(Rgb c) { return c.r << 16 | c.g << 8 | c.b; }
+
 }  // namespace
 
 std::array<std::array<float, 2>, 3> TexturedSurface::PlacesOf(int32_t triangle) const {
@@ -53,8 +57,7 @@ std::array<std::array<float, 2>, 3> TexturedSurface::PlacesOf(int32_t triangle) 
 TexturedSurface TexturedSurfaceOf(ObjFile obj, const TileLook& look) {
   TexturedSurface surface;
   surface.mesh = std::move(obj.file.mesh);
-  using Key = std::pair<std::string, int32_t>;  // image, colour
-  std::map<Key, TexturedSurface::Group> groups;
+  std::map<GroupKey, TexturedSurface::Group> groups;
   const TileMaterial none;
   const TileMaterial* material = &none;
   auto run = obj.textures.runs.begin();
@@ -64,10 +67,8 @@ TexturedSurface TexturedSurfaceOf(ObjFile obj, const TileLook& look) {
       material = found == look.materials.end() ? &none : &found->second;
     }
     const bool has_image = !material->image.empty();
-    Key key{has_image && HasPlaces(obj.textures, t) ? material->image : "", -1};
-    if (const std::optional<Rgb>& c = material->diffuse; !has_image && c) {
-      key.second = c->r << 16 | c->g << 8 | c->b;
-    }
+    GroupKey key{has_image && HasPlaces(obj.textures, t) ? material->image : "", -1};
+    if (const std::optional<Rgb>& c = material->diffuse; !has_image && c) key.second = NumberOf(*c);
     TexturedSurface::Group& group = groups[key];
     if (group.triangles.empty()) {
       group.image = key.first;
@@ -85,7 +86,7 @@ absl::StatusOr<TexturedSurface> TexturedSurfaceOfTree(std::string_view pack, con
   TILEMEND_ASSIGN_OR_RETURN(const TileTree tile, ReadTileTree(pack, name));
   TexturedSurface surface;
   TreeLevel finest = LevelOf(tile, tile.levels - 1);
-  std::map<std::string, TexturedSurface::Group> groups;
+  std::map<GroupKey, TexturedSurface::Group> groups;
   int32_t triangle = 0;
   for (const TreeLevel::Part& part : finest.parts) {
     const int32_t number = tile.pieces[static_cast<size_t>(part.piece)].file;
@@ -93,11 +94,13 @@ absl::StatusOr<TexturedSurface> TexturedSurfaceOfTree(std::string_view pack, con
     for (const int32_t g : part.geometries) {
       const TreeGeometry& geometry = file.geometries[static_cast<size_t>(g)];
       const std::string image = KeepImage(tile, number, geometry, name, surface);
+      const bool is_plain = geometry.texture < 0 && geometry.has_colour;
       for (int32_t t = 0; t < geometry.triangle_count; ++t, ++triangle) {
         const Triangle& corners = file.triangles[static_cast<size_t>(geometry.first_triangle + t)];
         const bool has_image = !image.empty() && ArePlaces(file, corners);
-        TexturedSurface::Group& group = groups[has_image ? image : ""];
+        TexturedSurface::Group& group = groups[{has_image ? image : "", is_plain ? NumberOf(geometry.colour) : -1}];
         group.image = has_image ? image : "";
+        if (is_plain) group.colour = geometry.colour;
         group.triangles.push_back(triangle);
         Triangle& own = surface.corners.emplace_back();
         for (size_t k = 0; k < 3; ++k) {

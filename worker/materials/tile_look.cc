@@ -103,8 +103,8 @@ class LookReader {
       paths[file.images[i]] = AddImage(path, file.image_lines[i], file.images[i]);
     }
     for (const MtlMaterial& m : file.materials) {
-      const bool plain = m.image.empty();
-      look_.materials.try_emplace(m.name, plain ? TileMaterial{m.diffuse, ""} : TileMaterial{{}, paths[m.image]});
+      const std::string& image = m.image.empty() ? m.image : paths[m.image];
+      look_.materials.try_emplace(m.name, image.empty() ? TileMaterial{m.diffuse, ""} : TileMaterial{{}, image});
     }
   }
 

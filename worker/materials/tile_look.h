@@ -15,7 +15,7 @@
 namespace tilemend {
 
 struct TileMaterial {
-  std::optional<Rgb> diffuse;  // of a material without an image
+  std::optional<Rgb> diffuse;  // of a material without an image that is there
   std::string image;           // relative to the scene's folder; empty: none that is there
 };
 

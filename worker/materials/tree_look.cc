@@ -92,7 +92,10 @@ RimColours SampleTreeRim(const TileTree& tile, const TreeLevel& finest, const st
     const GeometryFinder::Run& run = finder.Of(spot.triangle);
     const TreeFile& file = tile.files[run.file];
     const TreeGeometry& geometry = file.geometries[run.geometry];
-    if (geometry.texture < 0) continue;
+    if (geometry.texture < 0) {
+      if (geometry.has_colour) result.colours[static_cast<size_t>(spot.vertex)] = geometry.colour;
+      continue;
+    }
     const Triangle& corners = file.triangles[geometry.first_triangle + spot.triangle - run.first];
     double u = 0, v = 0;
     for (size_t k = 0; k < 3; ++k) {

@@ -16,8 +16,8 @@ namespace tilemend {
 // The files of the tile `path` beside its own, as images that it names: the output has them, too.
 TileLook ReadTreeLook(const std::string& path, const TileTree& tile);
 
-// The texels at the spots of the finest level of `tile`. Decodes only the images at a spot, one at a time. An image
-// that cannot be read gives a warning, as one that lies in another file.
+// The texels at the spots of the finest level of `tile`, or the colour of a material without an image. Decodes only the
+// images at a spot, one at a time. An image that cannot be read gives a warning, as one that lies in another file.
 RimColours SampleTreeRim(const TileTree& tile, const TreeLevel& finest, const std::vector<RimSpot>& spots,
                          size_t vertices, const std::string& name);
 

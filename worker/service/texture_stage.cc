@@ -173,21 +173,29 @@ class TextureMaker {
     }
   }
 
-  // Of the image that lies on most of the tile's triangles.
+  // Of the image that lies on most of the tile's triangles, among those that can be read. 0 if there is none.
   double OwnTexel() {
-    const TexturedSurface& surface = tiles_[own_].surface;
-    const TexturedSurface::Group* largest = nullptr;
-    for (const TexturedSurface::Group& group : surface.groups) {
-      if (group.image.empty()) continue;
-      if (largest == nullptr || group.triangles.size() > largest->triangles.size()) largest = &group;
+    std::vector<const TexturedSurface::Group*> groups;
+    for (const TexturedSurface::Group& group : tiles_[own_].surface.groups) {
+      if (!group.image.empty()) groups.push_back(&group);
     }
-    const std::optional<Image> image = largest == nullptr ? std::nullopt : ImageAt(tiles_[own_], largest->image);
+    std::stable_sort(groups.begin(), groups.end(),
+                     [](const auto* a, const auto* b) { return a->triangles.size() > b->triangles.size(); });
+    for (const TexturedSurface::Group* group : groups) {
+      const double texel = TexelOfGroup(tiles_[own_], *group);
+      has_texel_ = texel > 0;
+      if (has_texel_) return texel;
+    }
+    return 0;
+  }
+
+  double TexelOfGroup(const LoadedTile& tile, const TexturedSurface::Group& group) {
+    const std::optional<Image> image = ImageAt(tile, group.image);
     if (!image) return 0;
     std::vector<TexturedFace> faces;
-    for (const int32_t t : largest->triangles) faces.push_back({CornersOf(surface.mesh, t), surface.PlacesOf(t)});
-    const double texel = TexelOf(faces, image->width, image->height);
-    has_texel_ = texel > 0;
-    return texel;
+    for (const int32_t t : group.triangles)
+      faces.push_back({CornersOf(tile.surface.mesh, t), tile.surface.PlacesOf(t)});
+    return TexelOf(faces, image->width, image->height);
   }
 
   // Nothing, and a warning, if it cannot be read.

@@ -1,6 +1,7 @@
 #include "worker/texture/atlas.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -13,6 +14,8 @@ namespace {
 constexpr int32_t kMostSide = 8192;
 constexpr int32_t kLeastSide = 8;
 constexpr int32_t kSteepSide = 8;  // pixels, as the blocks of a JPEG
+// The squares of steep triangles take at most half of the largest image.
+constexpr size_t kMostSquares = size_t{kMostSide} * kMostSide / (kSteepSide * kSteepSide) / 2;
 
 // A rectangle of the image.
 struct Part {
@@ -70,6 +73,7 @@ class AtlasPacker {
   AtlasPacker(const AtlasFaces& faces, std::span<const MadeRaster> rasters) : faces_(faces), rasters_(rasters) {}
 
   Atlas Pack() {
+    ShareSquares();
     for (scale_ = 1;; scale_ *= 2) {
       SetParts();
       const auto [width, height] = tilemend::Pack(parts_);
@@ -77,9 +81,9 @@ class AtlasPacker {
       atlas_.image = {width, height, 3, {}};
       break;
     }
-    atlas_.image.pixels.assign(
-        size_t{3} * static_cast<size_t>(atlas_.image.width) * static_cast<size_t>(atlas_.image.height), 0);
+    FillWithMean();
     for (size_t i = 0; i < rasters_.size(); ++i) CopyPart(parts_[i], rasters_[i]);
+    for (const SquareColours& colours : squares_) DrawSquare(colours);
     for (size_t t = 0; t < faces_.triangles.size(); ++t) {
       atlas_.corners.push_back(faces_.rasters[t] < 0 ? SteepCorners(t) : FlatCorners(t));
     }
@@ -87,13 +91,49 @@ class AtlasPacker {
   }
 
  private:
-  // The pixels of each raster that its triangles need, with a gutter, and a square of squares for the steep ones.
+  using SquareColours = std::array<Rgb, 3>;
+
+  // Gives the steep triangles of equal colours one square. If that leaves too
+  // many, it drops bits of the colours: 6 bits less leave 4^9 squares at most.
+  void ShareSquares() {
+    for (int bits = 0; !TryShareSquares(bits); ++bits) {
+    }
+  }
+
+  // False if there are more than kMostSquares.
+  bool TryShareSquares(int dropped_bits) {
+    const auto rounded = [&](uint8_t value) {
+      const int middle = (1 << dropped_bits) >> 1;
+      return static_cast<uint8_t>((value >> dropped_bits << dropped_bits) + middle);
+    };
+    std::map<std::array<uint8_t, 9>, int32_t> numbers;
+    squares_.clear();
+    square_of_.assign(faces_.triangles.size(), -1);
+    for (size_t t = 0; t < faces_.triangles.size(); ++t) {
+      if (faces_.rasters[t] >= 0) continue;
+      SquareColours colours;
+      std::array<uint8_t, 9> key{};
+      for (size_t k = 0; k < 3; ++k) {
+        const Rgb c = faces_.steep_colours[3 * t + k];
+        colours[k] = {rounded(c.r), rounded(c.g), rounded(c.b)};
+        key[3 * k] = colours[k].r;
+        key[3 * k + 1] = colours[k].g;
+        key[3 * k + 2] = colours[k].b;
+      }
+      const auto [at, is_new] = numbers.try_emplace(key, static_cast<int32_t>(squares_.size()));
+      if (is_new && squares_.size() == kMostSquares) return false;
+      if (is_new) squares_.push_back(colours);
+      square_of_[t] = at->second;
+    }
+    return true;
+  }
+
+  // The pixels of each raster that its triangles need, with a gutter, and a
+  // square of squares for the steep ones.
   void SetParts() {
     std::vector<Eigen::AlignedBox2d> boxes(rasters_.size());
-    int64_t steep = 0;
     for (size_t t = 0; t < faces_.triangles.size(); ++t) {
       const int32_t raster = faces_.rasters[t];
-      steep += raster < 0 ? 1 : 0;
       if (raster < 0) continue;
       for (const int32_t v : faces_.triangles[t]) boxes[static_cast<size_t>(raster)].extend(PixelsAt(v, raster));
     }
@@ -111,10 +151,11 @@ class AtlasPacker {
       part.width = Scaled(std::max(hi(boxes[i].max().x(), frame.width) - part.x, 1));
       part.height = Scaled(std::max(hi(boxes[i].max().y(), frame.height) - part.y, 1));
     }
-    while (int64_t{steep_columns_} * steep_columns_ < steep) ++steep_columns_;
-    if (steep == 0) return;
+    const auto squares = static_cast<int32_t>(squares_.size());
+    if (squares == 0) return;
+    while (steep_columns_ * steep_columns_ < squares) ++steep_columns_;
     parts_.back().width = steep_columns_ * kSteepSide;
-    parts_.back().height = static_cast<int32_t>((steep + steep_columns_ - 1) / steep_columns_) * kSteepSide;
+    parts_.back().height = (squares + steep_columns_ - 1) / steep_columns_ * kSteepSide;
   }
 
   int32_t Scaled(int32_t pixels) const { return (pixels + scale_ - 1) / scale_; }
@@ -129,6 +170,34 @@ class AtlasPacker {
   uint8_t* PixelAt(int32_t x, int32_t y) {
     const auto row = static_cast<size_t>(atlas_.image.height - 1 - y);
     return &atlas_.image.pixels[3 * (row * static_cast<size_t>(atlas_.image.width) + static_cast<size_t>(x))];
+  }
+
+  // Viewers blend the pixels between the parts into them where they show the
+  // image much smaller than it is.
+  void FillWithMean() {
+    std::array<int64_t, 3> sum{};
+    int64_t count = 0;
+    const auto add = [&](Rgb c, int64_t pixels) {
+      sum = {sum[0] + pixels * c.r, sum[1] + pixels * c.g, sum[2] + pixels * c.b};
+      count += pixels;
+    };
+    for (size_t i = 0; i < rasters_.size(); ++i) {
+      const RasterFrame& frame = rasters_[i].frame;
+      const Part& part = parts_[i];
+      const int32_t end_x = std::min(part.x + part.width * scale_, frame.width),
+                    end_y = std::min(part.y + part.height * scale_, frame.height);
+      for (int32_t y = part.y; y < end_y; ++y) {
+        for (int32_t x = part.x; x < end_x; ++x) add(rasters_[i].colours[frame.At(x, y)], 1);
+      }
+    }
+    for (const SquareColours& square : squares_) {
+      for (const Rgb c : square) add(c, kSteepSide * kSteepSide / 3);
+    }
+    std::array<uint8_t, 3> mean{};
+    for (size_t c = 0; c < 3; ++c) mean[c] = static_cast<uint8_t>((sum[c] + count / 2) / std::max<int64_t>(count, 1));
+    const size_t pixels = static_cast<size_t>(atlas_.image.width) * static_cast<size_t>(atlas_.image.height);
+    atlas_.image.pixels.reserve(3 * pixels);
+    for (size_t i = 0; i < pixels; ++i) atlas_.image.pixels.insert(atlas_.image.pixels.end(), mean.begin(), mean.end());
   }
 
   // Means of scale x scale pixels.
@@ -177,14 +246,11 @@ class AtlasPacker {
     return corners;
   }
 
-  // A square with the first corner's colour at its lower left, the second's at its right, the third's at its top.
-  Triangle SteepCorners(size_t t) {
-    const Part& part = parts_.back();
-    const int32_t x0 = part.to_x + steep_ % steep_columns_ * kSteepSide,
-                  y0 = part.to_y + steep_ / steep_columns_ * kSteepSide;
-    ++steep_;
-    const Rgb* const c = &faces_.steep_colours[3 * t];
-    constexpr double kInset = 1.5, kSpan = kSteepSide - 2 * kInset;
+  // A square with the first corner's colour at its lower left, the second's at
+  // its right, the third's at its top.
+  void DrawSquare(const SquareColours& c) {
+    constexpr double kSpan = kSteepSide - 2 * kInset;
+    const auto [x0, y0] = NextSquare();
     for (int32_t y = 0; y < kSteepSide; ++y) {
       for (int32_t x = 0; x < kSteepSide; ++x) {
         double b = std::clamp((x + 0.5 - kInset) / kSpan, 0.0, 1.0),
@@ -203,18 +269,34 @@ class AtlasPacker {
         pixel[2] = mix(c[0].b, c[1].b, c[2].b);
       }
     }
-    const int32_t first = Add(x0 + kInset, y0 + kInset);
+    square_corners_.push_back(Add(x0 + kInset, y0 + kInset));
     Add(x0 + kInset + kSpan, y0 + kInset);
     Add(x0 + kInset, y0 + kInset + kSpan);
+  }
+
+  // The lower left corner of the square that is drawn next.
+  std::pair<int32_t, int32_t> NextSquare() const {
+    const Part& part = parts_.back();
+    const auto drawn = static_cast<int32_t>(square_corners_.size());
+    return {part.to_x + drawn % steep_columns_ * kSteepSide, part.to_y + drawn / steep_columns_ * kSteepSide};
+  }
+
+  Triangle SteepCorners(size_t t) const {
+    const int32_t first = square_corners_[static_cast<size_t>(square_of_[t])];
     return {first, first + 1, first + 2};
   }
+
+  static constexpr double kInset = 1.5;  // pixels of a square around its triangle
 
   const AtlasFaces& faces_;
   const std::span<const MadeRaster> rasters_;
   int32_t scale_ = 1;
   std::vector<Part> parts_;  // of each raster; the last is that of the steep triangles
   int32_t steep_columns_ = 1;
-  int32_t steep_ = 0;                                     // that have been laid
+  std::vector<SquareColours> squares_;                    // of the steep triangles, each once
+  std::vector<int32_t> square_of_;                        // of each triangle, into `squares_`; -1: none
+  std::vector<int32_t> square_corners_;                   // the first of three coordinates of
+                                                          // each square that is drawn
   std::map<std::pair<int32_t, int32_t>, int32_t> known_;  // coordinates by raster and vertex
   Atlas atlas_;
 };

@@ -84,6 +84,7 @@ class GltfReader {
     primitive.primitive = index;
     primitive.is_draco = data.draco != nullptr;
     primitive.base_colour = material.base_colour;
+    primitive.has_base_colour = material.has_base_colour;
     file_.primitives.push_back(primitive);
     AddTriangles(data, primitive.first_vertex);
     AddUv(data, material);

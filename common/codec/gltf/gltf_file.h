@@ -45,6 +45,7 @@ struct GltfPrimitive {
   int32_t primitive = 0;                             // of that mesh
   bool is_draco = false;                             // compressed as a whole
   std::array<double, 4> base_colour = {1, 1, 1, 1};  // linear red, green, blue, alpha
+  bool has_base_colour = false;                      // the file says it
 };
 
 struct GltfImage {

@@ -161,6 +161,7 @@ absl::StatusOr<GltfMaterial> GltfMaterialOf(const JsonView& root, int64_t index)
   if (!pbr) return result;
   TILEMEND_ASSIGN_OR_RETURN(const std::vector<double> colour, pbr->NumbersOr("baseColorFactor", {1, 1, 1, 1}));
   std::copy(colour.begin(), colour.end(), result.base_colour.begin());
+  result.has_base_colour = pbr->Find("baseColorFactor").has_value();
   const std::optional<JsonView> texture = pbr->Find("baseColorTexture");
   if (!texture) return result;
   TILEMEND_ASSIGN_OR_RETURN(const int64_t texture_index, texture->Integer("index", 0, kMaxIndex));

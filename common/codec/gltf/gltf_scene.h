@@ -30,6 +30,7 @@ struct GltfMaterial {
   int64_t texture_set = 0;  // n of TEXCOORD_n
   Eigen::Matrix<double, 2, 3> uv_transform = Eigen::Matrix<double, 2, 3>::Identity();
   std::array<double, 4> base_colour = {1, 1, 1, 1};
+  bool has_base_colour = false;  // the file says it
 };
 
 // From the frame of the glTF to one with z up.

@@ -33,7 +33,7 @@ TreeFile FromOsgb(OsgbFile file) {
   TreeFile result{std::move(file.points), std::move(file.uv), std::move(file.triangles), {}, {}};
   for (const OsgbGeometry& g : file.geometries) {
     result.geometries.push_back({g.first_vertex, g.vertex_count, g.first_triangle, g.triangle_count, g.texture,
-                                 g.colour.value_or(kNoColour), g.geode});
+                                 g.colour.value_or(kNoColour), g.geode, g.colour.has_value()});
   }
   for (OsgbImage& image : file.images) {
     const bool is_encoded = image.storage == OsgbImage::Storage::kEncoded;
@@ -58,8 +58,8 @@ absl::StatusOr<TileTree> ReadOsgbTree(std::string_view pack, const std::string& 
 TreeFile FromGltf(GltfFile file) {
   TreeFile result{std::move(file.points), std::move(file.uv), std::move(file.triangles), {}, {}};
   for (const GltfPrimitive& p : file.primitives) {
-    result.geometries.push_back(
-        {p.first_vertex, p.vertex_count, p.first_triangle, p.triangle_count, p.texture, SrgbOf(p.base_colour), 0});
+    result.geometries.push_back({p.first_vertex, p.vertex_count, p.first_triangle, p.triangle_count, p.texture,
+                                 SrgbOf(p.base_colour), 0, p.has_base_colour});
   }
   for (GltfImage& image : file.images) {
     result.images.push_back({std::move(image.name), image.offset, image.size, image.size > 0});

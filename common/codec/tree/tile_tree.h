@@ -22,9 +22,10 @@ struct TreeGeometry {
   int32_t vertex_count = 0;
   int32_t first_triangle = 0;
   int32_t triangle_count = 0;
-  int32_t texture = -1;  // index into TreeFile::images; -1: none
-  Rgb colour;            // without a texture
-  int32_t part = 0;      // of the file
+  int32_t texture = -1;     // index into TreeFile::images; -1: none
+  Rgb colour;               // without a texture
+  int32_t part = 0;         // of the file
+  bool has_colour = false;  // the file says `colour`; else it is white, as viewers draw what has no material
 };
 
 struct TreeImage {

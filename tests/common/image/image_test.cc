@@ -58,6 +58,16 @@ TEST(DecodeImageTest, ReadsSequentialAndProgressiveJpeg) {
   }
 }
 
+TEST(DecodeImageTest, MixesInks) {
+  const auto image = DecodeImage(InkJpegImage(64, 64, QuartersOf(64), 255), "a.jpg");
+  ASSERT_TRUE(image.ok()) << image.status();
+  EXPECT_EQ(image->width, 64);
+  ExpectQuarters(*image, 3);
+  const auto dark = DecodeImage(InkJpegImage(64, 64, QuartersOf(64), 128), "a.jpg");
+  ASSERT_TRUE(dark.ok()) << dark.status();
+  ExpectNear(TexelAt(*dark, 0.75, 0.25), {125, 125, 125}, 3);
+}
+
 TEST(DecodeImageTest, DecodesLargeJpegsAtAPartOfTheirSize) {
   constexpr int32_t kSide = 2 * kFullSide;
   const auto image = DecodeImage(JpegImage(kSide, 512, QuartersOf(kSide)), "a.jpg");
@@ -81,6 +91,25 @@ TEST(DecodeImageTest, RefusesImagesThatAreCutOff) {
       EXPECT_FALSE(DecodeImage(whole.substr(0, length), "cut").ok()) << length << " of " << whole.size();
     }
   }
+}
+
+TEST(DecodeImageTest, ReadsJpegsWithBytesBetweenTheirMarkers) {
+  const std::string whole = JpegImage(64, 64, QuartersOf(64));
+  for (const std::string& marker : {std::string("\xff\xc0"), std::string("\xff\xd9")}) {
+    std::string bytes = whole;
+    bytes.insert(bytes.rfind(marker), "some text");
+    const auto image = DecodeImage(bytes, "a.jpg");
+    ASSERT_TRUE(image.ok()) << image.status();
+    ExpectQuarters(*image, 3);
+    bytes.resize(bytes.size() - 40);
+    EXPECT_FALSE(DecodeImage(bytes, "a.jpg").ok()) << "cut off as well";
+  }
+}
+
+TEST(DecodeImageTest, RefusesAJpegWhoseScanEndsEarly) {
+  std::string bytes = JpegImage(64, 64, [](int32_t x, int32_t y) { return Rgb{static_cast<uint8_t>(x * y), 0, 0}; });
+  bytes.erase(bytes.size() - 100, 98);  // before the marker of the end
+  EXPECT_THAT(DecodeImage(bytes, "a.jpg").status().message(), HasSubstr("damaged"));
 }
 
 TEST(DecodeImageTest, EndsOnAnyDamage) {

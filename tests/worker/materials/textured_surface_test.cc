@@ -58,5 +58,26 @@ TEST(TexturedSurfaceTest, ATreeGivesItsFinestLevel) {
   EXPECT_EQ(triangles, surface.mesh.triangles.size());
 }
 
+TEST(TexturedSurfaceTest, GeometryOfATreeWithoutAnImageHasTheColourOfItsMaterial) {
+  const std::string image = "\xff\xd8\xff of the ground", pack = OsgbScene(OsgbScene::Pond::kHole, 80, image).Pack(0);
+  const auto tile = ReadTileTree(pack, "a/Tile.osgb");
+  ASSERT_TRUE(tile.ok()) << tile.status();
+  const Rgb plain{51, 153, 77};
+  std::vector<TreeEdit> edits(tile->files.size());
+  const TreeLevel finest = LevelOf(*tile, tile->levels - 1);
+  const TreePiece& piece = tile->pieces[static_cast<size_t>(finest.parts[0].piece)];
+  edits[static_cast<size_t>(piece.file)].patches.push_back(
+      {{{1, 1, 2}, {2, 1, 2}, {1, 2, 2}}, {{0, 1, 2}}, plain, piece.part});
+  const auto changed = ChangeTileTree(*tile, edits, "a/Tile.osgb");
+  ASSERT_TRUE(changed.ok()) << changed.status();
+  const auto surface = TexturedSurfaceOfTree(*changed, "a/Tile.osgb");
+  ASSERT_TRUE(surface.ok()) << surface.status();
+  ASSERT_EQ(surface->groups.size(), 5U);
+  EXPECT_EQ(surface->groups[0].image, "");
+  EXPECT_EQ(surface->groups[0].colour, plain);
+  EXPECT_EQ(surface->groups[0].triangles.size(), 1U);
+  EXPECT_EQ(surface->groups[1].colour, std::nullopt);
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -62,6 +62,13 @@ TEST_F(TileLookTest, WarnsOfFilesThatCannotBeHad) {
   EXPECT_EQ(look.materials.at("a").image, "");
 }
 
+TEST_F(TileLookTest, WithoutItsImageAMaterialHasItsDiffuseColour) {
+  folder_.Write("Data/T.mtl", "newmtl a\nKd 0 0 1\nmap_Kd lost.jpg\n");
+  const TileLook look = Read({"T.mtl"});
+  EXPECT_EQ(look.materials.at("a").image, "");
+  EXPECT_EQ(look.materials.at("a").diffuse, (Rgb{0, 0, 255}));
+}
+
 // It would be written over the other tile.
 TEST_F(TileLookTest, CommentsBehindNamesAreNoPartOfThem) {
   folder_.Write("Data/x.mtl", "newmtl a\nmap_Kd x.png  # from above\nnewmtl b\nmap_Kd y #2.png\n");

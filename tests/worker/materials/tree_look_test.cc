@@ -44,6 +44,28 @@ TEST(OsgbLookTest, AnImageThatCannotBeReadGivesAWarningAndNoColour) {
   EXPECT_THAT(rim.warnings, ElementsAre(HasSubstr("a/Tile.osgb: image \"tile_0.jpg\""), HasSubstr("tile_0.jpg")));
 }
 
+// One triangle of each of two geometries without an image: the first has a material.
+TileTree PlainTile() {
+  TileTree tile;
+  tile.packed = {{"Tile.osgb", ""}};
+  TreeFile& file = tile.files.emplace_back();
+  file.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {1, 2, 0}};
+  file.uv.resize(6);
+  file.triangles = {{0, 1, 2}, {3, 4, 5}};
+  file.geometries = {{0, 3, 0, 1, -1, {51, 153, 77}, 0, true}, {3, 3, 1, 1, -1, {255, 255, 255}, 0, false}};
+  tile.pieces.emplace_back();
+  tile.levels = 1;
+  return tile;
+}
+
+TEST(OsgbLookTest, WithoutAnImageTheColourOfTheMaterialCounts) {
+  const TileTree tile = PlainTile();
+  const TreeLevel finest = LevelOf(tile, 0);
+  const RimColours rim = SampleTreeRim(tile, finest, Spots(finest), 2, "a/Tile.osgb");
+  EXPECT_THAT(rim.colours, ElementsAre(Rgb{51, 153, 77}, std::nullopt));
+  EXPECT_THAT(rim.warnings, IsEmpty());
+}
+
 TEST(OsgbLookTest, TheOtherFilesOfTheTileGoWithIt) {
   const std::string pack = OsgbScene().Pack(1);
   const auto tile = ReadTileTree(pack, "a/Tile.osgb");

@@ -86,6 +86,23 @@ TEST_F(TextureStageTest, AnImageThatCannotBeReadLeavesTheColours) {
   EXPECT_THAT(made.warnings, ElementsAre(HasSubstr("ground.png")));
 }
 
+TEST_F(TextureStageTest, AnImageThatCannotBeReadLeavesTheOthers) {
+  std::string text = ReadFile(folder_ / "scene/T0.obj").value();
+  const std::string ground = "usemtl ground\n";
+  text.replace(text.find(ground), ground.size(), "usemtl other\n");
+  size_t face = text.find("\nf ");
+  for (int i = 0; i < 100; ++i) face = text.find("\nf ", face + 1);  // most of 176
+  text.insert(face + 1, ground);
+  folder_.Write("scene/T0.obj", text);
+  folder_.Write("scene/T0.mtl", "newmtl other\nmap_Kd other.bmp\nnewmtl ground\nmap_Kd ground.png\n");
+  folder_.Write("scene/other.bmp", "BM");
+  input_.mutable_around(0)->mutable_tile()->set_digest(FileDigest(text));
+  *input_.mutable_tile() = input_.around(0).tile();
+  const FillTexture made = Make();
+  EXPECT_NE(made.image, "");
+  EXPECT_THAT(made.warnings, ElementsAre(HasSubstr("other.bmp")));
+}
+
 TEST_F(TextureStageTest, ATileThatChangedIsAnError) {
   folder_.Write("scene/T1.obj", "v 0 0 0\n");
   TaskMemory memory(int64_t{1} << 40);

@@ -81,5 +81,68 @@ TEST(AtlasTest, PartsThatAreTooLargeAreHalved) {
   EXPECT_EQ(atlas.image.height, 8);
 }
 
+TEST(AtlasTest, SteepFacesOfEqualColoursShareASquare) {
+  const std::vector<Triangle> triangles(1000, Triangle{1, 2, 4});
+  const std::vector<int32_t> steep(triangles.size(), -1);
+  const Atlas atlas = PackAtlas({kPoints, triangles, steep, std::vector<Rgb>(3000, Rgb{9, 8, 7})}, {});
+  EXPECT_EQ(atlas.image.width, 8);
+  EXPECT_EQ(atlas.image.height, 8);
+  EXPECT_EQ(atlas.coordinates.size(), 3U);
+  EXPECT_EQ(atlas.corners.size(), triangles.size());
+}
+
+// 1024 x 1024 squares of 8 pixels fill the largest image.
+TEST(AtlasTest, MoreSteepFacesThanTheImageHasSquaresRoundTheirColours) {
+  constexpr size_t kFaces = 1024 * 1024 + 1;
+  const std::vector<Triangle> triangles(kFaces, Triangle{1, 2, 4});
+  std::vector<Rgb> colours(3 * kFaces);
+  for (size_t t = 0; t < kFaces; ++t) {
+    for (size_t k = 0; k < 3; ++k) {
+      colours[3 * t + k] = {static_cast<uint8_t>(t), static_cast<uint8_t>(t >> 8), static_cast<uint8_t>(t >> 16)};
+    }
+  }
+  const Atlas atlas = PackAtlas({kPoints, triangles, std::vector<int32_t>(kFaces, -1), colours}, {});
+  EXPECT_LE(atlas.image.width, 8192);
+  EXPECT_LE(atlas.image.height, 8192);
+  ASSERT_EQ(atlas.corners.size(), kFaces);
+  for (size_t t = 0; t < kFaces; t += 9973) {
+    const auto& uv = atlas.coordinates[static_cast<size_t>(atlas.corners[t][0])];
+    const Rgb seen = TexelAt(atlas.image, double{uv[0]}, double{uv[1]});
+    EXPECT_NEAR(seen.r, colours[3 * t].r, 1);
+    EXPECT_NEAR(seen.g, colours[3 * t].g, 1);
+    EXPECT_NEAR(seen.b, colours[3 * t].b, 1);
+  }
+}
+
+TEST(AtlasTest, SteepFacesLeaveRoomForTheRasters) {
+  constexpr size_t kSteep = 600'000;
+  std::vector<Triangle> triangles(kSteep, Triangle{1, 2, 4});
+  std::vector<int32_t> rasters(kSteep, -1);
+  triangles.push_back({0, 1, 2});
+  rasters.push_back(0);
+  std::vector<Rgb> colours(3 * triangles.size());
+  for (size_t i = 0; i < colours.size(); ++i) {
+    const uint32_t mixed = static_cast<uint32_t>(i) * 2654435761U;  // all bits differ from face to face
+    colours[i] = {static_cast<uint8_t>(mixed >> 24), static_cast<uint8_t>(mixed >> 16),
+                  static_cast<uint8_t>(mixed >> 8)};
+  }
+  const std::vector<MadeRaster> made = {Made({0.5, -4, -4, 24, 24})};
+  const Atlas atlas = PackAtlas({kPoints, triangles, rasters, colours}, made);
+  const auto& uv = atlas.coordinates[static_cast<size_t>(atlas.corners.back()[0])];
+  EXPECT_EQ(TexelAt(atlas.image, double{uv[0]} + 1e-5, double{uv[1]} + 1e-5), (Rgb{20, 20, 77}));
+}
+
+TEST(AtlasTest, PixelsBetweenThePartsHaveTheMeanColour) {
+  const std::vector<Triangle> triangles = {{0, 1, 2}};
+  const RasterFrame frame{0.5, -4, -4, 24, 24};
+  const std::vector<MadeRaster> rasters = {{frame, std::vector<Rgb>(frame.size(), Rgb{90, 60, 30})}};
+  const std::vector<Point3> points = {{1, 1, 0}, {5, 1, 0}, {5, 2, 0}};
+  const Atlas atlas = PackAtlas({points, triangles, {0}, std::vector<Rgb>(3)}, rasters);
+  ASSERT_EQ(atlas.image.height, 16);  // more than the 10 pixels of the part
+  for (size_t i = 0; i < atlas.image.pixels.size(); i += 3) {
+    EXPECT_EQ((Rgb{atlas.image.pixels[i], atlas.image.pixels[i + 1], atlas.image.pixels[i + 2]}), (Rgb{90, 60, 30}));
+  }
+}
+
 }  // namespace
 }  // namespace tilemend

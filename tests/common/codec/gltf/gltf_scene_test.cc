@@ -77,8 +77,10 @@ TEST(GltfSceneTest, ReadsMaterials) {
   ASSERT_TRUE(material.ok()) << material.status();
   EXPECT_EQ(material->image, 0);
   EXPECT_EQ(material->base_colour[0], 0.5);
+  EXPECT_TRUE(material->has_base_colour);
   EXPECT_TRUE((material->uv_transform * Point3(1, 1, 1)).isApprox(Point2(1, 0.75)));
   EXPECT_EQ(GltfMaterialOf(JsonView(json, kScene), -1)->image, -1);
+  EXPECT_FALSE(GltfMaterialOf(JsonView(json, kScene), -1)->has_base_colour);
   EXPECT_FALSE(GltfMaterialOf(JsonView(json, kScene), 1).ok());
 }
 

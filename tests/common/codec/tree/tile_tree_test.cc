@@ -81,6 +81,8 @@ TEST(TileTreeTest, ChangesAreReadBack) {
     EXPECT_EQ(after->files[f].points.size(), was.points.size() + 3);
     const TreeGeometry& added = after->files[f].geometries.back();
     EXPECT_EQ(after->files[f].points[static_cast<size_t>(added.first_vertex)], Point3(1, 1, 2));
+    EXPECT_TRUE(added.has_colour);
+    EXPECT_EQ(added.colour, (Rgb{10, 20, 30}));
   }
 }
 
