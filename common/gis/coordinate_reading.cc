@@ -59,6 +59,9 @@ void ForEachPoint(VectorFeature& feature, const Visit& visit) {
   std::for_each(feature.line.begin(), feature.line.end(), visit);
 }
 
+// Feet of any kind are not.
+bool IsMetre(double metres) { return std::abs(metres - 1) < 1e-9; }
+
 OGRSpatialReference EastFirst(OGRSpatialReference crs) {
   crs.StripVertical();
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
@@ -293,13 +296,17 @@ std::string FaultOfCrs(const std::string& crs) {
   if (const std::string file = FileNamedIn(crs); !file.empty()) return "names a file: " + Printable(file);
   const std::optional<OGRSpatialReference> known = CrsNamed(crs);
   if (!known) return "PROJ knows no such CRS";
-  return known->IsGeographic() ? "has degrees and cannot be that of tiles in metres" : "";
+  if (known->IsGeographic()) return "has degrees and cannot be that of tiles in metres";
+  if (known->IsGeocentric()) return "is geocentric and cannot be that of tiles with z up";
+  const char* unit = nullptr;
+  const double metres = known->GetLinearUnits(&unit);
+  return IsMetre(metres) ? "" : std::string("has the unit ") + unit + ", in which options and levels then count";
 }
 
 bool ToLonLat(const std::string& crs, std::vector<Point2>& points) {
   const CPLErrorHandlerPusher quiet(CPLQuietErrorHandler);
   const std::optional<OGRSpatialReference> from = CrsNamed(crs), to = CrsNamed(kLonLat);
-  if (!from || !to) return false;
+  if (!from || !to || from->IsGeocentric() || !IsMetre(from->GetLinearUnits())) return false;
   const std::unique_ptr<OGRCoordinateTransformation> way(OGRCreateCoordinateTransformation(&*from, &*to));
   return way != nullptr && std::all_of(points.begin(), points.end(),
                                        [&](Point2& p) { return way->Transform(1, &p.x(), &p.y()) && p.allFinite(); });

@@ -19,8 +19,8 @@ absl::StatusOr<std::vector<Point2>> LonLatOf(const std::string& crs, const std::
   TILEMEND_ASSIGN_OR_RETURN(const std::string answer, AskGdal(absl::StrCat(request, crs), "crs"));
   if (answer.size() != bytes) {
     return absl::InvalidArgumentError(absl::StrCat("crs '", Printable(crs),
-                                                   "': PROJ does not know it, or it has no longitude and latitude for "
-                                                   "the scene's cells"));
+                                                   "': PROJ does not know it, it is none in metres, or it has no "
+                                                   "longitude and latitude for the scene's cells"));
   }
   std::vector<Point2> degrees(points.size());
   std::memcpy(static_cast<void*>(degrees.data()), answer.data(), bytes);

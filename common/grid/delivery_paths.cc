@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <limits>
 #include <pugixml.hpp>
@@ -168,6 +169,18 @@ absl::StatusOr<Scene> FilledScene(Scene scene, const std::string& root) {
   return scene;
 }
 
+namespace {
+
+// As photogrammetry names the frame of a place; other programs do not read the projection that stands for it.
+std::string SrsOf(const std::string& crs) {
+  double latitude = 0, longitude = 0;
+  const bool is_place =
+      std::sscanf(crs.c_str(), "+proj=ortho +lat_0=%lf +lon_0=%lf +datum=WGS84 +units=m", &latitude, &longitude) == 2;
+  return is_place ? absl::StrFormat("ENU:%.12g,%.12g", latitude, longitude) : crs;
+}
+
+}  // namespace
+
 std::string MetadataXml(const Scene& scene) {
   pugi::xml_document document;
   pugi::xml_node declaration = document.append_child(pugi::node_declaration);
@@ -175,7 +188,7 @@ std::string MetadataXml(const Scene& scene) {
   declaration.append_attribute("encoding") = "utf-8";
   pugi::xml_node metadata = document.append_child("ModelMetadata");
   metadata.append_attribute("version") = "1";
-  if (!scene.crs.empty()) metadata.append_child("SRS").text() = scene.crs.c_str();
+  if (!scene.crs.empty()) metadata.append_child("SRS").text() = SrsOf(scene.crs).c_str();
   std::string origin;
   for (int axis = 0; axis < 3; ++axis)
     absl::StrAppendFormat(&origin, "%s%.17g", axis > 0 ? "," : "", scene.origin[axis]);

@@ -77,6 +77,7 @@ struct TilesetTiles {
     Box bounds;
   };
   std::string crs;          // of the scene's plane; empty: not known
+  double height = 0;        // of its origin above the ellipsoid, metres
   std::vector<Tile> tiles;  // one that is the entry itself if the entry does not name others
   std::string warning;      // why it is the entry itself, though it names others; or empty
 };

@@ -159,6 +159,7 @@ absl::StatusOr<Scene> FindTilesetScene(const std::string& root, const std::strin
   scene.root = root;
   scene.found_by_name = true;
   scene.crs = tilesets.crs;
+  scene.origin.z() = tilesets.height;
   if (!tilesets.warning.empty()) scene.warnings.push_back(tilesets.warning);
   if (tilesets.tiles.size() == 1 && tilesets.tiles[0].path == entry) {
     AddWhole(tilesets.tiles[0], &scene);

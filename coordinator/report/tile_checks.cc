@@ -34,7 +34,7 @@ absl::StatusOr<Box> ReadTileBounds(const std::string& path) { return BoundsOf(pa
 
 absl::StatusOr<TilesetTiles> ReadTilesets(const std::string& folder, const std::string& entry) {
   TILEMEND_ASSIGN_OR_RETURN(TilesetLayout layout, ReadTilesetLayout(folder, entry));
-  TilesetTiles result{std::move(layout.crs), {}, std::move(layout.warning)};
+  TilesetTiles result{std::move(layout.crs), layout.height, {}, std::move(layout.warning)};
   for (TilesetPlace& place : layout.tilesets) {
     TILEMEND_ASSIGN_OR_RETURN(const Box bounds, BoundsOf(absl::StrCat(folder, "/", place.path), place.frame));
     result.tiles.push_back({std::move(place.path), std::move(place.frame), bounds});

@@ -20,11 +20,17 @@ constexpr double kSemiMajor = 6378137, kFlattening = 1 / 298.257223563;  // WGS 
 
 bool IsOnEarth(const Point3& p) { return p.norm() > kDeep && p.norm() < kHigh; }
 
-// The plane of an orthographic projection of the ellipsoid is that of the frame.
+// The plane of an orthographic projection of the ellipsoid is that of the frame. With the datum, so that longitudes and
+// latitudes need no shift.
 std::string CrsAt(const Point3& geodetic) {
   const double degree = 180 / std::numbers::pi;
-  return absl::StrFormat("+proj=ortho +lat_0=%.12g +lon_0=%.12g +ellps=WGS84 +units=m +no_defs", geodetic.y() * degree,
+  return absl::StrFormat("+proj=ortho +lat_0=%.12g +lon_0=%.12g +datum=WGS84 +units=m +no_defs", geodetic.y() * degree,
                          geodetic.x() * degree);
+}
+
+void SetPlace(const Point3& geodetic, TilesetFrame& frame) {
+  frame.crs = CrsAt(geodetic);
+  frame.height = geodetic.z();
 }
 
 // The middle of the root's volume in the frame of the root's parent.
@@ -47,7 +53,7 @@ std::optional<TilesetFrame> RootsFrame(const TilesetTile& root) {
   if (!is_rigid || axes.col(2).dot(there.col(2)) < 1 - kSameDirection) return std::nullopt;
   TilesetFrame frame;
   frame.is_roots = true;
-  if (axes.col(0).dot(there.col(0)) >= 1 - kSameDirection) frame.crs = CrsAt(geodetic);
+  if (axes.col(0).dot(there.col(0)) >= 1 - kSameDirection) SetPlace(geodetic, frame);
   return frame;
 }
 
@@ -81,7 +87,7 @@ TilesetFrame FrameOf(const Tileset& tileset) {
   to_outer.topLeftCorner<3, 3>() = AxesAt(geodetic);
   to_outer.topRightCorner<3, 1>() = middle;
   frame.from_outer = to_outer.inverse();
-  frame.crs = CrsAt(geodetic);
+  SetPlace(geodetic, frame);
   return frame;
 }
 

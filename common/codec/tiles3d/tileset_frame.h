@@ -17,7 +17,8 @@ namespace tilemend {
 struct TilesetFrame {
   bool is_roots = false;                                     // that of the root tile; else:
   Eigen::Matrix4d from_outer = Eigen::Matrix4d::Identity();  // from the frame of the root's parent to that of the scene
-  std::string crs;  // its plane as a PROJ string, on the ellipsoid of WGS 84; empty: not known
+  std::string crs;    // its plane as a PROJ string, on the ellipsoid of WGS 84; empty: not known
+  double height = 0;  // of its origin above that ellipsoid, metres; 0 without a crs
 };
 
 // Pure, O(1).

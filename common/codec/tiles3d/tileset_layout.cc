@@ -66,7 +66,7 @@ std::vector<Point3> CornersOf(const TilesetTile& root) {
 absl::StatusOr<TilesetLayout> ReadTilesetLayout(const std::string& folder, const std::string& entry) {
   TILEMEND_ASSIGN_OR_RETURN(const Tileset tileset, ReadAlone(folder, entry));
   const TilesetFrame frame = FrameOf(tileset);
-  TilesetLayout layout{frame.crs, {}, ""};
+  TilesetLayout layout{frame.crs, frame.height, {}, ""};
   for (const TilesetTile& tile : tileset.tiles) {
     if (tile.external.empty()) continue;
     const Eigen::Matrix4d to_scene = ToScene(frame, tile);

@@ -17,6 +17,7 @@ struct TilesetPlace {
 
 struct TilesetLayout {
   std::string crs;                     // TilesetFrame::crs
+  double height = 0;                   // TilesetFrame::height
   std::vector<TilesetPlace> tilesets;  // by their paths; the entry alone, with an empty frame, if it is all one
   std::string warning;                 // why it is all one, though the entry names other tilesets; or empty
 };

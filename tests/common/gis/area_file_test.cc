@@ -63,11 +63,14 @@ TEST(IsInMetresTest, HoldsForPlacesOnEarth) {
 
 TEST(CrsFaultOfTest, PeopleAreToldWhatIsWrong) {
   Scene scene;
-  for (const auto& [crs, message] : std::vector<std::pair<std::string, std::string>>{{"", ""},
-                                                                                     {"EPSG:32650", ""},
-                                                                                     {"EPSG:31467", ""},
-                                                                                     {"EPSG:4326", "has degrees"},
-                                                                                     {"rubbish", "PROJ knows no"}}) {
+  for (const auto& [crs, message] :
+       std::vector<std::pair<std::string, std::string>>{{"", ""},
+                                                        {"EPSG:32650", ""},
+                                                        {"EPSG:31467", ""},
+                                                        {"EPSG:4326", "has degrees"},
+                                                        {"EPSG:2263", "has the unit US survey foot"},
+                                                        {"EPSG:4978", "is geocentric"},
+                                                        {"rubbish", "PROJ knows no"}}) {
     scene.crs = crs;
     const auto fault = CrsFaultOf(scene);
     ASSERT_TRUE(fault.ok()) << fault.status();

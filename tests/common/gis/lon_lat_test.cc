@@ -22,6 +22,12 @@ TEST(LonLatTest, APlaneAtAPlaceIsKnown) {
   EXPECT_NEAR((*found)[1].y(), 48.1 + 1000 / 111200.0, 1e-5);
 }
 
+TEST(LonLatTest, ACrsThatIsNotOfTilesInMetresIsRefused) {
+  for (const char* crs : {"EPSG:2263", "EPSG:4978"}) {  // US survey feet; Earth-centred
+    EXPECT_EQ(LonLatOf(crs, {{300000, 60000}}).status().code(), absl::StatusCode::kInvalidArgument) << crs;
+  }
+}
+
 TEST(LonLatTest, AnUnknownCrsIsAnErrorWithItsName) {
   const auto found = LonLatOf("EPSG:no", {{0, 0}});
   EXPECT_EQ(found.status().code(), absl::StatusCode::kInvalidArgument);

@@ -41,13 +41,14 @@ class SceneTilesetTest : public testing::Test {
 TEST_F(SceneTilesetTest, ATilesetWithoutOthersIsOneCell) {
   folder_.Write("tileset.json", kTileset);
   folder_.Write("Data/Tile_+000_+001.ply", "not looked at");
-  tiles_ = {"+proj=ortho", {{"tileset.json", {}, {{-3.5, 10, 0}, {96.2, 10.5, 7}}}}, "why"};
+  tiles_ = {"+proj=ortho", 50, {{"tileset.json", {}, {{-3.5, 10, 0}, {96.2, 10.5, 7}}}}, "why"};
   const auto scene = Load(folder_.path());
   ASSERT_TRUE(scene.ok()) << scene.status();
   ASSERT_EQ(scene->tiles.size(), 1u);
   EXPECT_EQ(scene->tiles[0].path, "tileset.json");
   EXPECT_EQ(scene->tileset, "");
   EXPECT_EQ(scene->crs, "+proj=ortho");
+  EXPECT_EQ(scene->origin, Point3(0, 0, 50));
   EXPECT_EQ(scene->grid.corner, Point2(-4, 10));
   EXPECT_EQ(scene->grid.cell_size, Point2(101, 1));
   EXPECT_FALSE(scene->area_known);

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "common/codec/tiles3d/bounding_volume.h"
 #include "tests/support/tileset_samples.h"
 #include "tests/support/tileset_scene.h"
 
@@ -28,6 +29,8 @@ TEST(TilesetFrameTest, ARootOnTheEarthGivesItsOwnFrameToTheBit) {
   EXPECT_TRUE(frame.is_roots);
   EXPECT_EQ(ToScene(frame, tileset.tiles.back()), Eigen::Matrix4d::Identity());
   EXPECT_THAT(frame.crs, HasSubstr("+proj=ortho +lat_0=50 +lon_0=8 "));
+  const Point3 origin = tileset.tiles[0].to_root.topRightCorner<3, 1>();
+  EXPECT_EQ(frame.height, GeodeticOf(origin).z());
 }
 
 TEST(TilesetFrameTest, ARootTurnedAboutTheVerticalHasNoCrs) {
