@@ -287,13 +287,12 @@ class TextureMaker {
     const std::vector<std::vector<TexturedFace>> near = FacesNear(surface, group, rasters);
     const bool is_seen = std::any_of(near.begin(), near.end(), [](const auto& faces) { return !faces.empty(); });
     std::optional<Image> image;
-    if (group.colour) image = Image{1, 1, 3, {group.colour->r, group.colour->g, group.colour->b}};
     if (!group.image.empty() && (is_seen || !spots.empty())) image = ImageAt(tiles_[tile], group.image);
     for (size_t k = 0; k < rasters.size(); ++k) {
       if (image) {
         DrawFaces(near[k], *image, rasters[k]);
       } else {
-        for (const TexturedFace& face : near[k]) DrawShapes(std::span(&face.corners, 1), rasters[k]);
+        for (const TexturedFace& face : near[k]) DrawShapes(std::span(&face.corners, 1), rasters[k], group.colour);
       }
     }
     if (spots.empty() || !image) return;
