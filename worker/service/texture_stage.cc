@@ -198,13 +198,15 @@ class TextureMaker {
     return TexelOf(faces, image->width, image->height);
   }
 
-  // Nothing, and a warning, if it cannot be read.
+  // Nothing, and a warning, if it cannot be read. A JPEG of kFullPixels takes 201 MB while there are only rasters of 8
+  // bytes a pixel: no more than Synthesize takes later, without an image.
   std::optional<Image> ImageAt(const LoadedTile& tile, const std::string& path) {
     const auto held = tile.surface.encoded.find(path);
     absl::StatusOr<std::string> bytes = held != tile.surface.encoded.end()
                                             ? absl::StatusOr<std::string>(held->second)
                                             : ReadFile(absl::StrCat(tile.root, "/", path));
-    absl::StatusOr<Image> image = bytes.ok() ? DecodeImage(*bytes, path) : absl::StatusOr<Image>(bytes.status());
+    absl::StatusOr<Image> image =
+        bytes.ok() ? DecodeImage(*bytes, path, JpegSize::kLarge) : absl::StatusOr<Image>(bytes.status());
     if (image.ok()) return *std::move(image);
     if (warned_.insert(path).second) {
       result_.warnings.push_back(
