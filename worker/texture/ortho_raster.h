@@ -1,4 +1,4 @@
-// A picture of textured surface from above, on a lattice of texels that is the same for all cells of a scene.
+// A picture of textured surface from above, on a lattice of texels that is the same for all cells that share a hole.
 #ifndef TILEMEND_WORKER_TEXTURE_ORTHO_RASTER_H_
 #define TILEMEND_WORKER_TEXTURE_ORTHO_RASTER_H_
 
