@@ -99,7 +99,7 @@ void MixInks(Image& image) {
   }
 }
 
-absl::StatusOr<Image> DecodeJpeg(std::string_view bytes, const std::string& name) {
+absl::StatusOr<Image> DecodeJpeg(std::string_view bytes, const std::string& name, JpegSize largest) {
   const std::unique_ptr<void, int (*)(tjhandle)> decoder(tjInitDecompress(), tjDestroy);
   if (decoder == nullptr) return absl::ResourceExhaustedError("no memory to decode an image");
   const JpegScans scans = ScansOf(bytes);
@@ -121,8 +121,13 @@ absl::StatusOr<Image> DecodeJpeg(std::string_view bytes, const std::string& name
                                       static_cast<int64_t>(bytes.size()), kMostJpegPixelsPerByte, name);
   if (!size.ok()) return size;
   const bool has_inks = space == TJCS_CMYK || space == TJCS_YCCK;
+  const bool is_large = largest == JpegSize::kLarge && scans.is_one;
   tjscalingfactor scale{1, 1};
-  while (scale.denom < 8 && TJSCALED(std::max(width, height), scale) > kFullSide) scale.denom *= 2;
+  const auto is_too_large = [&] {
+    const int64_t columns = TJSCALED(width, scale), rows = TJSCALED(height, scale);
+    return is_large ? columns * rows > kFullPixels : std::max(columns, rows) > kFullSide;
+  };
+  while (scale.denom < 8 && is_too_large()) scale.denom *= 2;
   Image image{TJSCALED(width, scale), TJSCALED(height, scale), has_inks ? 4 : 3, {}};
   image.pixels.resize(static_cast<size_t>(image.channels) * static_cast<size_t>(image.width) *
                       static_cast<size_t>(image.height));
@@ -157,9 +162,9 @@ int64_t PixelAt(double t, int32_t count) {
 
 }  // namespace
 
-absl::StatusOr<Image> DecodeImage(std::string_view bytes, const std::string& name) {
+absl::StatusOr<Image> DecodeImage(std::string_view bytes, const std::string& name, JpegSize jpegs) {
   if (bytes.empty()) return Problem(name, "an empty file, no image");
-  if (bytes.substr(0, 2) == "\xff\xd8") return DecodeJpeg(bytes, name);
+  if (bytes.substr(0, 2) == "\xff\xd8") return DecodeJpeg(bytes, name, jpegs);
   if (bytes.substr(0, 4) == "\x89PNG") return DecodePng(bytes, name);
   return Problem(name, "neither a JPEG nor a PNG image");
 }

@@ -40,6 +40,7 @@ Eigen::AlignedBox2d CellBox(const v1::TextureCell& cell) {
 struct LoadedTile {
   std::string root;
   TexturedSurface surface;
+  Eigen::AlignedBox2d cell = {};
 };
 
 absl::StatusOr<LoadedTile> Load(const v1::TileRef& tile) {
@@ -82,9 +83,8 @@ class TextureMaker {
 
   absl::StatusOr<FillTexture> Make() {
     TILEMEND_RETURN_IF_ERROR(LoadTiles());
-    const double texel = LatticeTexel(OwnTexel());
-    if (!has_texel_) return std::move(result_);
-    PlanRasters(texel);
+    if (!(TexelOfTile(own_) > 0)) return std::move(result_);
+    PlanRasters();
     FindRimSpots();
     rim_.resize(faces_.points.size());
     for (size_t first = 0; first < parts_.frames.size() || first == 0;) {
@@ -145,6 +145,7 @@ class TextureMaker {
       } else {
         TILEMEND_ASSIGN_OR_RETURN(tiles_.emplace_back(), Load(cell.tile()));
       }
+      tiles_.back().cell = CellBox(cell);
     }
     for (const Point3& p : faces_.points) site_.extend(Point2(p.head<2>()));
     return tiles_.empty() ? absl::InvalidArgumentError("malformed payload: no tile to make a texture from")
@@ -173,18 +174,33 @@ class TextureMaker {
     }
   }
 
+  // The finest of the tiles whose cells meet the place. So it is the same for all cells that share a hole.
+  double TexelAround(const Eigen::AlignedBox2d& place) {
+    double finest = 0;
+    for (size_t i = 0; i < tiles_.size(); ++i) {
+      if (!tiles_[i].cell.intersects(place)) continue;
+      const double texel = TexelOfTile(i);
+      if (texel > 0 && (finest == 0 || texel < finest)) finest = texel;
+    }
+    return LatticeTexel(finest > 0 ? finest : TexelOfTile(own_));
+  }
+
+  double TexelOfTile(size_t tile) {
+    const auto [at, is_new] = texels_.try_emplace(tile, 0);
+    if (is_new) at->second = TexelOfLargestImage(tiles_[tile]);
+    return at->second;
+  }
+
   // Of the image that lies on most of the tile's triangles, among those that can be read. 0 if there is none.
-  double OwnTexel() {
+  double TexelOfLargestImage(const LoadedTile& tile) {
     std::vector<const TexturedSurface::Group*> groups;
-    for (const TexturedSurface::Group& group : tiles_[own_].surface.groups) {
+    for (const TexturedSurface::Group& group : tile.surface.groups) {
       if (!group.image.empty()) groups.push_back(&group);
     }
     std::stable_sort(groups.begin(), groups.end(),
                      [](const auto* a, const auto* b) { return a->triangles.size() > b->triangles.size(); });
     for (const TexturedSurface::Group* group : groups) {
-      const double texel = TexelOfGroup(tiles_[own_], *group);
-      has_texel_ = texel > 0;
-      if (has_texel_) return texel;
+      if (const double texel = TexelOfGroup(tile, *group); texel > 0) return texel;
     }
     return 0;
   }
@@ -198,13 +214,15 @@ class TextureMaker {
     return TexelOf(faces, image->width, image->height);
   }
 
-  // Nothing, and a warning, if it cannot be read.
+  // Nothing, and a warning, if it cannot be read. A JPEG of kFullPixels takes 201 MB while there are only rasters of 8
+  // bytes a pixel: no more than Synthesize takes later, without an image.
   std::optional<Image> ImageAt(const LoadedTile& tile, const std::string& path) {
     const auto held = tile.surface.encoded.find(path);
     absl::StatusOr<std::string> bytes = held != tile.surface.encoded.end()
                                             ? absl::StatusOr<std::string>(held->second)
                                             : ReadFile(absl::StrCat(tile.root, "/", path));
-    absl::StatusOr<Image> image = bytes.ok() ? DecodeImage(*bytes, path) : absl::StatusOr<Image>(bytes.status());
+    absl::StatusOr<Image> image =
+        bytes.ok() ? DecodeImage(*bytes, path, JpegSize::kLarge) : absl::StatusOr<Image>(bytes.status());
     if (image.ok()) return *std::move(image);
     if (warned_.insert(path).second) {
       result_.warnings.push_back(
@@ -213,7 +231,7 @@ class TextureMaker {
     return std::nullopt;
   }
 
-  void PlanRasters(double texel) {
+  void PlanRasters() {
     OrthoRaster site = SiteRaster(site_);
     for (const LoadedTile& tile : tiles_) {
       for (size_t t = 0; t < tile.surface.mesh.triangles.size(); ++t) {
@@ -221,7 +239,7 @@ class TextureMaker {
         DrawShapes(std::span(&corners, 1), site);
       }
     }
-    parts_ = PlanParts(faces_, site, cells_, texel);
+    parts_ = PlanParts(faces_, site, cells_, [this](const Eigen::AlignedBox2d& place) { return TexelAround(place); });
   }
 
   // For each point of a steep face, the first triangle of the tiles with a corner there.
@@ -287,13 +305,12 @@ class TextureMaker {
     const std::vector<std::vector<TexturedFace>> near = FacesNear(surface, group, rasters);
     const bool is_seen = std::any_of(near.begin(), near.end(), [](const auto& faces) { return !faces.empty(); });
     std::optional<Image> image;
-    if (group.colour) image = Image{1, 1, 3, {group.colour->r, group.colour->g, group.colour->b}};
     if (!group.image.empty() && (is_seen || !spots.empty())) image = ImageAt(tiles_[tile], group.image);
     for (size_t k = 0; k < rasters.size(); ++k) {
       if (image) {
         DrawFaces(near[k], *image, rasters[k]);
       } else {
-        for (const TexturedFace& face : near[k]) DrawShapes(std::span(&face.corners, 1), rasters[k]);
+        for (const TexturedFace& face : near[k]) DrawShapes(std::span(&face.corners, 1), rasters[k], group.colour);
       }
     }
     if (spots.empty() || !image) return;
@@ -330,6 +347,7 @@ class TextureMaker {
   FillTexture result_;
   std::vector<LoadedTile> tiles_;
   size_t own_ = 0;
+  std::map<size_t, double> texels_;  // by tile; 0: it has no image that can be read
   std::vector<Eigen::AlignedBox2d> cells_;
   Eigen::AlignedBox2d site_;
   FilledFaces faces_;
@@ -338,7 +356,6 @@ class TextureMaker {
   std::vector<std::optional<Rgb>> rim_;                                // of the points of steep faces
   std::vector<MadeRaster> made_;
   std::set<std::string> warned_;
-  bool has_texel_ = false;
 };
 
 }  // namespace

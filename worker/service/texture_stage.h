@@ -25,7 +25,8 @@ struct FillTexture {
 
 // Reads the tiles of AssembleInput.around and their images, as far as they lie near the patch. No image if none is
 // asked for, the patch is empty, or the tile itself has no texture that can be read. Errors of ReadSurveyed and of the
-// readers of meshes; kCancelled. Memory: these tiles, one image, and rasters of kMostRasterPixels.
+// readers of meshes; kCancelled. Memory: these tiles, and rasters of kMostRasterPixels with one image of
+// kFullPixels at most or with what Synthesize needs.
 absl::StatusOr<FillTexture> TextureOf(const v1::AssembleInput& input, const TilePatch& added, TaskMemory& memory,
                                       const CancelToken& cancel);
 

@@ -93,8 +93,8 @@ class AtlasPacker {
  private:
   using SquareColours = std::array<Rgb, 3>;
 
-  // Gives the steep triangles of equal colours one square. If that leaves too
-  // many, it drops bits of the colours: 6 bits less leave 4^9 squares at most.
+  // Gives the steep triangles of equal colours one square. If that leaves too many, it drops bits of the colours: 6
+  // bits less leave 4^9 squares at most.
   void ShareSquares() {
     for (int bits = 0; !TryShareSquares(bits); ++bits) {
     }
@@ -128,8 +128,7 @@ class AtlasPacker {
     return true;
   }
 
-  // The pixels of each raster that its triangles need, with a gutter, and a
-  // square of squares for the steep ones.
+  // The pixels of each raster that its triangles need, with a gutter, and a square of squares for the steep ones.
   void SetParts() {
     std::vector<Eigen::AlignedBox2d> boxes(rasters_.size());
     for (size_t t = 0; t < faces_.triangles.size(); ++t) {
@@ -172,8 +171,7 @@ class AtlasPacker {
     return &atlas_.image.pixels[3 * (row * static_cast<size_t>(atlas_.image.width) + static_cast<size_t>(x))];
   }
 
-  // Viewers blend the pixels between the parts into them where they show the
-  // image much smaller than it is.
+  // Viewers blend the pixels between the parts into them where they show the image much smaller than it is.
   void FillWithMean() {
     std::array<int64_t, 3> sum{};
     int64_t count = 0;
@@ -246,8 +244,7 @@ class AtlasPacker {
     return corners;
   }
 
-  // A square with the first corner's colour at its lower left, the second's at
-  // its right, the third's at its top.
+  // A square with the first corner's colour at its lower left, the second's at its right, the third's at its top.
   void DrawSquare(const SquareColours& c) {
     constexpr double kSpan = kSteepSide - 2 * kInset;
     const auto [x0, y0] = NextSquare();
@@ -295,8 +292,7 @@ class AtlasPacker {
   int32_t steep_columns_ = 1;
   std::vector<SquareColours> squares_;                    // of the steep triangles, each once
   std::vector<int32_t> square_of_;                        // of each triangle, into `squares_`; -1: none
-  std::vector<int32_t> square_corners_;                   // the first of three coordinates of
-                                                          // each square that is drawn
+  std::vector<int32_t> square_corners_;                   // of each square drawn: the first of its coordinates
   std::map<std::pair<int32_t, int32_t>, int32_t> known_;  // coordinates by raster and vertex
   Atlas atlas_;
 };

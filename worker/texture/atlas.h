@@ -23,10 +23,8 @@ struct MadeRaster {
 struct AtlasFaces {
   std::span<const Point3> points;
   std::span<const Triangle> triangles;
-  std::vector<int32_t> rasters;    // of each triangle: the raster that it is seen
-                                   // in from above; -1: it is steep
-  std::vector<Rgb> steep_colours;  // of each corner of each triangle, three a
-                                   // triangle; read for those with -1
+  std::vector<int32_t> rasters;    // of each triangle: the raster that it is seen in from above; -1: it is steep
+  std::vector<Rgb> steep_colours;  // of each corner of each triangle, three a triangle; read for those with -1
 };
 
 struct Atlas {
@@ -37,16 +35,13 @@ struct Atlas {
 
 inline constexpr int32_t kAtlasGutter = 4;  // pixels of the raster around each part of the image
 
-// Packs the parts of the rasters that the triangles cover, in the rasters'
-// order. Steep triangles get small squares of blended corner colours; those of
-// equal colours share one. If the squares take more than half of 8192 x 8192
-// pixels, colours of steep triangles lose as many of their low bits as it
-// needs. If all of it is larger than 8192 x 8192, parts are halved until it
-// fits. Pixels between the parts have the mean colour of all. Coordinates keep
-// half a pixel away from the border of their part. A triangle that lies outside
-// its raster gets the nearest pixels of it. Preconditions: indices are valid;
-// there is a triangle; at most 10^7 rasters have triangles. Cost: linear in the
-// image, O(n log n) in the triangles.
+// Packs the parts of the rasters that the triangles cover, in the rasters' order. Steep triangles get small squares of
+// blended corner colours; those of equal colours share one. If the squares take more than half of 8192 x 8192 pixels,
+// colours of steep triangles lose as many of their low bits as it needs. If all of it is larger than 8192 x 8192, parts
+// are halved until it fits. Pixels between the parts have the mean colour of all. Coordinates keep half a pixel away
+// from the border of their part. A triangle that lies outside its raster gets the nearest pixels of it. Preconditions:
+// indices are valid; there is a triangle; at most 10^7 rasters have triangles. Cost: linear in the image, O(n log n) in
+// the triangles.
 Atlas PackAtlas(const AtlasFaces& faces, std::span<const MadeRaster> rasters);
 
 }  // namespace tilemend

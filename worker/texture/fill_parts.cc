@@ -177,10 +177,17 @@ Sharing SharingOf(int32_t region, const Eigen::AlignedBox2d& box, bool has_water
   return {static_cast<int64_t>(block.y()), static_cast<int64_t>(block.x()), -1};
 }
 
+// The block, or the region in `box`. Not the box of small regions: two cells do not see the same ones.
+Eigen::AlignedBox2d PlaceOf(const Sharing& sharing, const Eigen::AlignedBox2d& box) {
+  if (sharing.region >= 0) return box;
+  const Point2 lo = Point2(static_cast<double>(sharing.block_column), static_cast<double>(sharing.block_row));
+  return {lo * kGroundBlock, (lo + Point2(1, 1)) * kGroundBlock};
+}
+
 }  // namespace
 
 FillParts PlanParts(const FilledFaces& faces, const OrthoRaster& site, std::span<const Eigen::AlignedBox2d> cells,
-                    double texel) {
+                    const TexelOfPlace& texel) {
   const Regions regions(faces, site, cells);
   std::map<int32_t, bool> has_water;  // by region
   std::vector<int32_t> region_of;
@@ -203,7 +210,7 @@ FillParts PlanParts(const FilledFaces& faces, const OrthoRaster& site, std::span
       box.extend(regions.BoxOf(region));
       largest = std::max(largest, regions.BoxOf(region).sizes().maxCoeff());
     }
-    parts.frames.push_back(FrameAround(box, largest, texel));
+    parts.frames.push_back(FrameAround(box, largest, texel(PlaceOf(key, box))));
   }
   parts.triangles.resize(parts.frames.size());
   for (size_t t = 0; t < region_of.size(); ++t) {

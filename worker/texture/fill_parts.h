@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -41,14 +42,17 @@ bool IsSteepFace(const SpaceTriangle& corners);
 // has more than kMostRasterPixels.
 OrthoRaster SiteRaster(const Eigen::AlignedBox2d& box);
 
+// The texel of a raster by the place of what it is made for, metres.
+using TexelOfPlace = std::function<double(const Eigen::AlignedBox2d&)>;
+
 // Parts are the connected regions of the fill and of squares without surface in `cells`, as far as they hold faces of
 // the fill. So two cells that share a hole give it the same part, if both see all of it. Regions of ground of at most
 // 8 m are one part if their middles lie in the same square of 32 m. Many small holes would else draw the same ground
 // many times. A frame reaches 6 to 20 m beyond its part, by the size of its largest region, and ends at multiples of 4
-// m. Its texel is `texel`, or coarser by a power of two so that it has at most kMostRasterPixels. Cost: linear in the
-// site's squares and the faces.
+// m. Its texel is that of the region or of the square of 32 m, or coarser by a power of two so that it has at most
+// kMostRasterPixels. Cost: linear in the site's squares and the faces.
 FillParts PlanParts(const FilledFaces& faces, const OrthoRaster& site, std::span<const Eigen::AlignedBox2d> cells,
-                    double texel);
+                    const TexelOfPlace& texel);
 
 // What the pixels of a part's raster are, with the original surface drawn into it.
 FillMap FillMapOf(const FilledFaces& faces, const FillParts& parts, int32_t part, const OrthoRaster& raster);

@@ -211,7 +211,11 @@ float WhiteGrain(int64_t column, int64_t row, double sigma) {
 
 void AddGrain(const OrthoRaster& raster, const PixelMask& sources, const PixelMask& make,
               std::vector<Channels>& colours) {
-  SpotNoise(raster, sources).AddTo(make, colours);
+  PixelMask textured = sources;
+  for (size_t i = 0; i < textured.size(); ++i) textured[i] = raster.known[i] == kPlainColour ? 0 : sources[i];
+  const auto has_pixels = [](const PixelMask& mask) { return std::find(mask.begin(), mask.end(), 1) != mask.end(); };
+  if (has_pixels(sources) && !has_pixels(textured)) return;
+  SpotNoise(raster, textured).AddTo(make, colours);
 }
 
 }  // namespace tilemend

@@ -21,7 +21,8 @@ float WhiteGrain(int64_t column, int64_t row, double sigma);
 // is the sum of four windows of grain, each put at every pixel with a random sign. So it has the deviation and the
 // spectrum of the windows, and never repeats. Grain is what sources differ from their colour smoothed over 1 m. A hash
 // chooses the windows, of 2 m or 16 pixels, among those that hold sources alone and no marks. If there is none, the
-// grain is white, with the sources' deviation. Cost: O(pixels of `make` * 1024) + O(pixels).
+// grain is white, with the sources' deviation. Sources of a plain colour do not count; if all are such, there is no
+// grain. Cost: O(pixels of `make` * 1024) + O(pixels).
 void AddGrain(const OrthoRaster& raster, const PixelMask& sources, const PixelMask& make,
               std::vector<Channels>& colours);
 

@@ -116,7 +116,7 @@ void DrawFace(const TexturedFace& face, const Image& image, OrthoRaster& raster)
     const float height = HeightAt(face.corners, s);
     if (!(height > raster.heights[at])) return;
     raster.heights[at] = height;
-    raster.known[at] = 1;
+    raster.known[at] = kImageColour;
     raster.colours[at] = colour_at(x, y);
   });
 }
@@ -145,14 +145,15 @@ void DrawFaces(std::span<const TexturedFace> faces, const Image& image, OrthoRas
   for (const TexturedFace& face : faces) DrawFace(face, image, raster);
 }
 
-void DrawShapes(std::span<const SpaceTriangle> shapes, OrthoRaster& raster) {
+void DrawShapes(std::span<const SpaceTriangle> shapes, OrthoRaster& raster, std::optional<Rgb> colour) {
   for (const SpaceTriangle& corners : shapes) {
     Cover(corners, raster.frame).ForEachPixel([&](int32_t x, int32_t y, const std::array<double, 3>& s) {
       const size_t at = raster.frame.At(x, y);
       const float height = HeightAt(corners, s);
       if (!(height > raster.heights[at])) return;
       raster.heights[at] = height;
-      raster.known[at] = 0;
+      raster.known[at] = colour ? kPlainColour : 0;
+      if (colour) raster.colours[at] = *colour;
     });
   }
 }

@@ -1,4 +1,4 @@
-// A picture of textured surface from above, on a lattice of texels that is the same for all cells of a scene.
+// A picture of textured surface from above, on a lattice of texels that is the same for all cells that share a hole.
 #ifndef TILEMEND_WORKER_TEXTURE_ORTHO_RASTER_H_
 #define TILEMEND_WORKER_TEXTURE_ORTHO_RASTER_H_
 
@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -42,6 +43,8 @@ Eigen::AlignedBox2d BoxOf(const RasterFrame& frame);
 
 inline constexpr float kNoSurface = -std::numeric_limits<float>::infinity();
 
+inline constexpr uint8_t kImageColour = 1, kPlainColour = 2;  // a plain colour has no grain
+
 // 8 bytes a pixel.
 struct OrthoRaster {
   explicit OrthoRaster(const RasterFrame& frame);
@@ -49,7 +52,7 @@ struct OrthoRaster {
   RasterFrame frame;
   std::vector<Rgb> colours;
   std::vector<float> heights;  // of the highest surface, metres; kNoSurface: none
-  std::vector<uint8_t> known;  // 1: that surface has a colour
+  std::vector<uint8_t> known;  // 0: that surface has no colour; else it has one: kImageColour or kPlainColour
 };
 
 // A triangle with the place of each corner in an image: u to the right, v upward.
@@ -64,8 +67,8 @@ struct TexturedFace {
 // pixels that they cover.
 void DrawFaces(std::span<const TexturedFace> faces, const Image& image, OrthoRaster& raster);
 
-// Draws surface that has no colour.
-void DrawShapes(std::span<const SpaceTriangle> shapes, OrthoRaster& raster);
+// Draws surface that has no image, of a plain colour or of none.
+void DrawShapes(std::span<const SpaceTriangle> shapes, OrthoRaster& raster, std::optional<Rgb> colour = {});
 
 // The side of a square that an image pixel covers on the surface, in metres: the median over the faces' area. It is 0
 // without faces that have an area. Cost: O(n log n).

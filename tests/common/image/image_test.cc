@@ -77,6 +77,16 @@ TEST(DecodeImageTest, DecodesLargeJpegsAtAPartOfTheirSize) {
   ExpectNear(TexelAt(*image, 0.2, 0.5), {210, 20, 10}, 3);
 }
 
+TEST(DecodeImageTest, DecodesLargeJpegsOfOneScanAtTheirSizeIfAsked) {
+  constexpr int32_t kSide = 2 * kFullSide;
+  const auto width = [](int flags) {
+    const auto image = DecodeImage(JpegImage(kSide, 16, QuartersOf(kSide), flags), "a.jpg", JpegSize::kLarge);
+    return image.ok() ? image->width : 0;
+  };
+  EXPECT_EQ(width(0), kSide);
+  EXPECT_EQ(width(TJFLAG_PROGRESSIVE), kFullSide) << "the decoder holds all its coefficients";
+}
+
 TEST(DecodeImageTest, RefusesWhatIsNoImage) {
   EXPECT_THAT(DecodeImage("", "a.jpg").status().message(), HasSubstr("a.jpg: an empty file"));
   EXPECT_THAT(DecodeImage("BM, a bitmap", "a.bmp").status().message(), HasSubstr("neither a JPEG nor a PNG"));

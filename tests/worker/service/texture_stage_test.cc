@@ -103,6 +103,19 @@ TEST_F(TextureStageTest, AnImageThatCannotBeReadLeavesTheOthers) {
   EXPECT_THAT(made.warnings, ElementsAre(HasSubstr("other.bmp")));
 }
 
+// The neighbour's image is four times finer: its part of the hole has that texel, so this one has it, too.
+TEST_F(TextureStageTest, CellsThatShareAHoleHaveOneTexel) {
+  folder_.Write("scene/T1.mtl", "newmtl ground\nmap_Kd fine.png\n");
+  folder_.Write("scene/fine.png", PngImage(320, 320, [](int32_t, int32_t row) {
+                  const auto grey = static_cast<uint8_t>(row % 32 < 8 ? 180 : 90);
+                  return Rgb{grey, grey, grey};
+                }));
+  const auto image = DecodeImage(Make().image, "image");
+  ASSERT_TRUE(image.ok()) << image.status();
+  EXPECT_EQ(image->width, 64);  // 3 m at 6.25 cm, and two gutters
+  EXPECT_EQ(image->height, 128);
+}
+
 TEST_F(TextureStageTest, ATileThatChangedIsAnError) {
   folder_.Write("scene/T1.obj", "v 0 0 0\n");
   TaskMemory memory(int64_t{1} << 40);

@@ -38,19 +38,39 @@ OrthoRaster SiteWithHole(const Eigen::AlignedBox2d& box, const Eigen::AlignedBox
 const Eigen::AlignedBox2d kLeft(Point2(0, 0), Point2(100, 100)), kRight(Point2(100, 0), Point2(200, 100));
 const Eigen::AlignedBox2d kBoth(Point2(0, 0), Point2(200, 100));
 
+TexelOfPlace Everywhere(double texel) {
+  return [texel](const Eigen::AlignedBox2d&) { return texel; };
+}
+
 TEST(FillPartsTest, TwoCellsThatShareAHoleGetTheSameFrame) {
   const OrthoRaster site = SiteWithHole(kBoth, {Point2(90, 40), Point2(110, 60)});
   FilledFaces left, right;
   AddSquare(90, 40, 10, false, left);
   AddSquare(100, 45, 10, false, right);
   const std::vector<Eigen::AlignedBox2d> cells = {kLeft, kRight};
-  const FillParts a = PlanParts(left, site, cells, 0.25), b = PlanParts(right, site, cells, 0.25);
+  const FillParts a = PlanParts(left, site, cells, Everywhere(0.25)),
+                  b = PlanParts(right, site, cells, Everywhere(0.25));
   ASSERT_EQ(a.frames.size(), 1U);
   ASSERT_EQ(b.frames.size(), 1U);
   EXPECT_EQ(BoxOf(a.frames[0]).min(), BoxOf(b.frames[0]).min());
   EXPECT_EQ(BoxOf(a.frames[0]).max(), BoxOf(b.frames[0]).max());
   EXPECT_EQ(BoxOf(a.frames[0]).min(), Point2(68, 20));
   EXPECT_THAT(a.of_triangles, ElementsAre(0, 0));
+}
+
+TEST(FillPartsTest, APartHasTheTexelOfItsRegion) {
+  const OrthoRaster site = SiteWithHole(kBoth, {Point2(90, 40), Point2(110, 60)});
+  FilledFaces left;
+  AddSquare(90, 40, 10, false, left);
+  AddSquare(20, 20, 2, false, left);
+  const std::vector<Eigen::AlignedBox2d> cells = {kLeft, kRight};
+  const auto finer_in_the_east = [](const Eigen::AlignedBox2d& place) { return place.intersects(kRight) ? 0.25 : 0.5; };
+  const FillParts parts = PlanParts(left, site, cells, finer_in_the_east);
+  ASSERT_EQ(parts.frames.size(), 2U);
+  for (const int32_t t : {0, 2}) {
+    const auto part = static_cast<size_t>(parts.of_triangles[static_cast<size_t>(t)]);
+    EXPECT_EQ(parts.frames[part].texel, t == 0 ? 0.25 : 0.5);
+  }
 }
 
 TEST(FillPartsTest, HolesApartArePartsAndWallsAreNone) {
@@ -63,7 +83,7 @@ TEST(FillPartsTest, HolesApartArePartsAndWallsAreNone) {
   faces.triangles[4] = {1, 8, 2};
   faces.is_water.push_back(0);
   faces.flat.push_back({5, 5, 5});
-  const FillParts parts = PlanParts(faces, site, std::vector{kLeft}, 0.25);
+  const FillParts parts = PlanParts(faces, site, std::vector{kLeft}, Everywhere(0.25));
   EXPECT_EQ(parts.frames.size(), 2U);
   EXPECT_THAT(parts.of_triangles, ElementsAre(1, 1, 0, 0, -1));
   EXPECT_THAT(SteepPoints(faces, parts), ElementsAre(1, 2, 8));
@@ -81,7 +101,7 @@ TEST(FillPartsTest, SmallHolesOfASquareOf32MetresShareARaster) {
   AddSquare(40, 2, 1, false, faces);   // in another square
   AddSquare(10, 10, 1, true, faces);   // water has a level of its own
   AddSquare(2, 40, 20, false, faces);  // large
-  const FillParts parts = PlanParts(faces, SiteWithHole(kLeft, {}), std::vector{kLeft}, 0.25);
+  const FillParts parts = PlanParts(faces, SiteWithHole(kLeft, {}), std::vector{kLeft}, Everywhere(0.25));
   EXPECT_THAT(parts.of_triangles, ElementsAre(0, 0, 0, 0, 3, 3, 1, 1, 2, 2));
   EXPECT_THAT(parts.triangles,
               ElementsAre(ElementsAre(0, 1, 2, 3), ElementsAre(6, 7), ElementsAre(8, 9), ElementsAre(4, 5)));
@@ -92,7 +112,7 @@ TEST(FillPartsTest, LargePartsHaveCoarserTexels) {
   const Eigen::AlignedBox2d cell(Point2(0, 0), Point2(2000, 2000));
   FilledFaces faces;
   AddSquare(100, 100, 1800, true, faces);
-  const FillParts parts = PlanParts(faces, SiteWithHole(cell, {}), std::vector{cell}, 0.0625);
+  const FillParts parts = PlanParts(faces, SiteWithHole(cell, {}), std::vector{cell}, Everywhere(0.0625));
   ASSERT_EQ(parts.frames.size(), 1U);
   EXPECT_EQ(parts.frames[0].texel, 1);
   EXPECT_LE(parts.frames[0].size(), static_cast<size_t>(kMostRasterPixels));

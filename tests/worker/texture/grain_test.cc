@@ -90,6 +90,33 @@ TEST(GrainTest, NothingComesAgain) {
   }
 }
 
+// A tile with an image west of the hole; the one east of it has one colour.
+TEST(GrainTest, APlainNeighbourTakesNoGrainAway) {
+  OrthoRaster raster = RasterOf(kFrame, [](int64_t x, int64_t y) {
+    const auto grey = static_cast<uint8_t>(90 + (x < 50 ? HashOfPlace(x, y, 9) % 21 : 10));
+    return Rgb{grey, grey, grey};
+  });
+  for (int32_t y = 0; y < kFrame.height; ++y) {
+    for (int32_t x = 100; x < kFrame.width; ++x) raster.known[kFrame.At(x, y)] = kPlainColour;
+  }
+  const std::vector<FillPixel> fill = CutHole(raster, 75, 60, 125, 110, FillPixel::kGround);
+  const PixelMask sources = GroundPixels(raster, fill);
+  PixelMask make(kFrame.size());
+  for (size_t i = 0; i < make.size(); ++i) make[i] = fill[i] == FillPixel::kGround ? 1 : 0;
+  std::vector<Channels> colours(kFrame.size(), Channels{100, 100, 100});
+  AddGrain(raster, sources, make, colours);
+  EXPECT_NEAR(MomentsOf(colours, make).deviation, 6, 1.2);
+}
+
+TEST(GrainTest, PlainGroundHasNoGrain) {
+  OrthoRaster raster = RasterOf(kFrame, [](int64_t, int64_t) { return Rgb{90, 90, 90}; });
+  raster.known.assign(kFrame.size(), kPlainColour);
+  const PixelMask all(kFrame.size(), 1);
+  std::vector<Channels> colours(kFrame.size(), Channels{100, 100, 100});
+  AddGrain(raster, all, all, colours);
+  EXPECT_EQ(MomentsOf(colours, all).deviation, 0);
+}
+
 TEST(GrainTest, NoGrainHoldsAMark) {
   OrthoRaster raster = RasterOf(kFrame, [](int64_t x, int64_t y) {
     const bool is_mark = x > 60 && x < 70 && y > 60 && y < 70;

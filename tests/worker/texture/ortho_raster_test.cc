@@ -39,6 +39,11 @@ TEST(OrthoRasterTest, TheHighestSurfaceIsSeen) {
   DrawShapes(shapes, raster);
   EXPECT_EQ(raster.known[0], 0);
   EXPECT_EQ(raster.heights[0], 4);
+  const std::vector<TexturedFace> higher = Square(0, 0, 1, 5);
+  DrawShapes(std::span(&higher[0].corners, 1), raster, Rgb{1, 2, 3});
+  DrawShapes(std::span(&higher[1].corners, 1), raster, Rgb{1, 2, 3});
+  EXPECT_EQ(raster.known[0], kPlainColour);
+  EXPECT_EQ(raster.colours[0], (Rgb{1, 2, 3}));
 }
 
 TEST(OrthoRasterTest, UprightAndFarFacesCoverNothing) {
