@@ -41,6 +41,7 @@ class LevelFiller {
 
   LevelFill Run() {
     const std::vector<RegionBoundary> boundaries = outline_.Boundaries();
+    if (boundaries.empty()) return {{}, outline_.open()};
     const std::vector<int32_t> free = FreePoints(boundaries);
     for (const RegionBoundary& boundary : boundaries) {
       const RegionTriangulation mesh =
