@@ -11,6 +11,7 @@
 #include "absl/status/statusor.h"
 #include "common/codec/mesh_file.h"
 #include "common/mesh/clear_area.h"
+#include "common/mesh/tri_mesh.h"
 #include "common/records/level_counts.h"
 
 namespace tilemend {
@@ -20,6 +21,7 @@ struct ClearedTile {
   MeshFile file;                         // what is left; all vertices stay
   std::vector<int64_t> triangles;        // taken out by each area
   std::vector<LevelCounts> levels = {};  // of a tree: `removed` of each level of detail, the coarsest first
+  std::vector<TriMesh> surfaces = {};    // of a tree: what a viewer showed there of each level but the finest
 };
 
 // The file `bytes` without the triangles that AreasThatClear names. A face with more than three corners goes if all of

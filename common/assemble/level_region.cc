@@ -1,8 +1,10 @@
 #include "common/assemble/level_region.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
 #include <unordered_map>
+#include <utility>
 
 #include "common/mesh/edge_key.h"
 #include "common/mesh/position_index.h"
@@ -69,6 +71,27 @@ SurfaceOutline SurfaceOutlineOf(std::span<const Triangle> triangles, const std::
   return outline;
 }
 
+RegionBoundary SegmentsOf(const std::vector<RegionLoop>& loops) {
+  RegionBoundary segments;
+  for (const RegionLoop& loop : loops) {
+    for (size_t i = 0; i < loop.size(); ++i) segments.push_back({loop[i], loop[(i + 1) % loop.size()]});
+  }
+  return segments;
+}
+
+std::vector<Triangle> FacingUp(const TriMesh& mesh, std::vector<Triangle> triangles) {
+  const auto twice_area = [&](const Triangle& t) {
+    const Point2 u = (mesh.points[t[1]] - mesh.points[t[0]]).head<2>();
+    const Point2 v = (mesh.points[t[2]] - mesh.points[t[0]]).head<2>();
+    return u.x() * v.y() - u.y() * v.x();
+  };
+  std::erase_if(triangles, [&](const Triangle& t) { return twice_area(t) == 0; });
+  for (Triangle& t : triangles) {
+    if (twice_area(t) < 0) std::swap(t[1], t[2]);
+  }
+  return triangles;
+}
+
 std::vector<DirectedEdge> EdgesFrom(const SurfaceOutline& outline, int32_t first) {
   std::vector<DirectedEdge> edges;
   for (const DirectedEdge& e : outline.edges) edges.push_back({first + e.from, first + e.to});
@@ -111,6 +134,69 @@ std::vector<DirectedEdge> LevelRegion::Grown(const std::vector<DirectedEdge>& ed
     AddHull(points_[e.from], points_[e.to], static_cast<int64_t>(reach / window_.step()), all);
   }
   return Simple(all);
+}
+
+std::vector<std::vector<int32_t>> LevelRegion::HolesOf(const std::vector<RegionLoop>& loops) const {
+  std::vector<std::vector<int32_t>> holes;
+  std::vector<int32_t> clockwise;
+  std::vector<Eigen::AlignedBox2d> boxes(loops.size());
+  for (int32_t i = 0; i < std::ssize(loops); ++i) {
+    for (const int32_t v : loops[i]) boxes[i].extend(At(v));
+    if (IsCounterClockwise(loops[i])) {
+      holes.push_back({i});
+    } else {
+      clockwise.push_back(i);
+    }
+  }
+  for (const int32_t i : clockwise) {
+    std::vector<int32_t>* around = nullptr;
+    for (std::vector<int32_t>& hole : holes) {
+      const Eigen::AlignedBox2d& box = boxes[hole[0]];
+      if (around != nullptr && box.volume() >= boxes[around->front()].volume()) continue;
+      if (box.contains(boxes[i]) && HasInside(loops[hole[0]], loops[i])) around = &hole;
+    }
+    if (around != nullptr) around->push_back(i);
+  }
+  return holes;
+}
+
+// At its lowest point a simple loop turns as it does as a whole.
+bool LevelRegion::IsCounterClockwise(const RegionLoop& loop) const {
+  const auto lowest = std::ranges::min_element(loop, {}, [&](int32_t v) { return points_[v]; });
+  const auto at = static_cast<size_t>(lowest - loop.begin());
+  const int32_t before = loop[(at + loop.size() - 1) % loop.size()], after = loop[(at + 1) % loop.size()];
+  return Orientation(points_[before], points_[*lowest], points_[after]) > 0;
+}
+
+// Looks at the middle of a side of `other`: corners of both may be the same.
+bool LevelRegion::HasInside(const RegionLoop& loop, const RegionLoop& other) const {
+  const LatticePoint from = points_[other[0]], to = points_[other[1]], p{from.x + to.x, from.y + to.y};
+  bool inside = false;
+  for (size_t i = 0; i < loop.size(); ++i) {
+    const LatticePoint& u = points_[loop[i]];
+    const LatticePoint& v = points_[loop[(i + 1) % loop.size()]];
+    const LatticePoint a{2 * u.x, 2 * u.y}, b{2 * v.x, 2 * v.y};
+    if ((a.y > p.y) == (b.y > p.y)) continue;
+    if (Orientation(a, b, p) == (b.y > a.y ? 1 : -1)) inside = !inside;
+  }
+  return inside;
+}
+
+RegionTriangulation LevelRegion::Triangulated(const RegionBoundary& segments, const std::vector<int32_t>& free) const {
+  std::vector<int32_t> used = free;
+  for (const DirectedEdge& s : segments) used.push_back(s.from);
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  const auto place = [&](int32_t v) {
+    return static_cast<int32_t>(std::lower_bound(used.begin(), used.end(), v) - used.begin());
+  };
+  std::vector<LatticePoint> points;
+  for (const int32_t v : used) points.push_back(points_[v]);
+  std::vector<RegionSegment> between;
+  for (const DirectedEdge& s : segments) between.push_back({place(s.from), place(s.to)});
+  RegionTriangulation mesh = TriangulateRegion(points, between);
+  for (Triangle& t : mesh.triangles) t = {used[t[0]], used[t[1]], used[t[2]]};
+  return mesh;
 }
 
 std::vector<DirectedEdge> LevelRegion::AtFirstPoints(std::vector<DirectedEdge> edges) const {

@@ -10,6 +10,7 @@
 #include "common/mesh/edge_loops.h"
 #include "common/mesh/lattice.h"
 #include "common/mesh/tri_mesh.h"
+#include "common/mesh/triangulation/region_triangulation.h"
 
 namespace tilemend {
 
@@ -22,6 +23,16 @@ struct SurfaceOutline {
 
 // An edge belongs to it as often as triangles pass it in one direction more than in the other. O(n).
 SurfaceOutline SurfaceOutlineOf(std::span<const Triangle> triangles, const std::function<Point3(int32_t)>& point_of);
+
+using RegionLoop = std::vector<int32_t>;           // points of a region, each once
+using RegionBoundary = std::vector<DirectedEdge>;  // between points of a region, which is on its left
+
+// The sides of loops.
+RegionBoundary SegmentsOf(const std::vector<RegionLoop>& loops);
+
+// Each triangle counter-clockwise, seen from above, without those that stand upright. What their outline winds around
+// is all that they cover, even where they overlap.
+std::vector<Triangle> FacingUp(const TriMesh& mesh, std::vector<Triangle> triangles);
 
 // Makes regions of the plane, given by directed segments with the region on their left, from others. All segments are
 // between points of one lattice; each step adds the corners that it makes. Cost of each as of FindWoundRegion.
@@ -42,10 +53,19 @@ class LevelRegion {
   std::vector<DirectedEdge> Without(std::vector<DirectedEdge> a, const std::vector<DirectedEdge>& b);
   // The region and all within a square of 2 * `reach` metres about a point of its boundary.
   std::vector<DirectedEdge> Grown(const std::vector<DirectedEdge>& edges, double reach);
+  // Simple loops that do not cross, by the holes that they bound: the numbers of one counter-clockwise loop and of the
+  // clockwise ones in it, without those in a smaller such loop. A clockwise loop that lies in no other is left out.
+  // O(loops * points).
+  std::vector<std::vector<int32_t>> HolesOf(const std::vector<RegionLoop>& loops) const;
+  // The region between segments. Of the points that no segment uses only those of `free` are inserted. Conflicts are
+  // possible where points of a boundary were left out.
+  RegionTriangulation Triangulated(const RegionBoundary& segments, const std::vector<int32_t>& free) const;
   // The same segments between the first points at their places.
   std::vector<DirectedEdge> AtFirstPoints(std::vector<DirectedEdge> edges) const;
 
  private:
+  bool IsCounterClockwise(const RegionLoop& loop) const;
+  bool HasInside(const RegionLoop& loop, const RegionLoop& other) const;
   void AddHull(LatticePoint a, LatticePoint b, int64_t reach, std::vector<DirectedEdge>& edges);
   std::vector<DirectedEdge> Everything();
 

@@ -1,6 +1,7 @@
 #include "common/assemble/tree_levels.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -9,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
 #include "common/assemble/fill_level.h"
 #include "common/codec/tree/tile_tree.h"
 #include "common/util/status_macros.h"
@@ -150,6 +151,24 @@ class LevelPatcher {
   std::set<int32_t> filled_;  // pieces
 };
 
+// Adds a triangle of a piece to the levels at which a viewer shows the piece.
+void AddToLevels(const TreePiece& piece, const TreeFile& file, const Triangle& triangle,
+                 std::vector<TriMesh>& surfaces) {
+  const size_t last = piece.is_finest ? surfaces.size() : static_cast<size_t>(piece.level) + 1;
+  for (auto l = static_cast<size_t>(piece.level); l < std::min(last, surfaces.size()); ++l) {
+    const auto first = static_cast<int32_t>(surfaces[l].points.size());
+    for (const int32_t v : triangle) surfaces[l].points.push_back(file.points[v]);
+    surfaces[l].triangles.push_back({first, first + 1, first + 2});
+  }
+}
+
+std::string WarningOf(int32_t level, const std::vector<Point2>& open, const std::string& name) {
+  return absl::StrFormat(
+      "%s: level of detail %d (0 the coarsest): %d %s open there, which cannot be triangulated; the "
+      "first at [%.3f,%.3f]",
+      name, level, open.size(), open.size() == 1 ? "hole stays" : "holes stay", open[0].x(), open[0].y());
+}
+
 }  // namespace
 
 absl::StatusOr<ClearedTile> ClearTreeLevels(std::string_view pack, std::span<const ClearArea> areas,
@@ -158,6 +177,7 @@ absl::StatusOr<ClearedTile> ClearTreeLevels(std::string_view pack, std::span<con
   std::vector<TreeEdit> edits(tile.files.size());
   std::vector<int64_t> taken(areas.size(), 0);
   std::vector<LevelCounts> levels(static_cast<size_t>(tile.levels));
+  std::vector<TriMesh> surfaces(static_cast<size_t>(std::max(tile.levels - 1, 0)));
   for (size_t f = 0; f < tile.files.size(); ++f) {
     const TreeFile& file = tile.files[f];
     const std::vector<int32_t> cleared_by = AreasThatClear({file.points, file.triangles}, areas);
@@ -175,6 +195,7 @@ absl::StatusOr<ClearedTile> ClearTreeLevels(std::string_view pack, std::span<con
           if (area < 0) continue;
           ++levels[static_cast<size_t>(piece.level)].removed;
           if (piece.is_finest) ++taken[static_cast<size_t>(area)];
+          AddToLevels(piece, file, file.triangles[geometry.first_triangle + t], surfaces);
         }
       }
     }
@@ -182,6 +203,7 @@ absl::StatusOr<ClearedTile> ClearTreeLevels(std::string_view pack, std::span<con
   ClearedTile cleared;
   cleared.triangles = std::move(taken);
   cleared.levels = std::move(levels);
+  cleared.surfaces = std::move(surfaces);
   TILEMEND_ASSIGN_OR_RETURN(cleared.bytes, ChangeTileTree(tile, edits, name));
   TILEMEND_ASSIGN_OR_RETURN(cleared.file, ParseMesh(MeshFormat::kTileTree, cleared.bytes, name, NoFaces::kAccept));
   return cleared;
@@ -189,21 +211,26 @@ absl::StatusOr<ClearedTile> ClearTreeLevels(std::string_view pack, std::span<con
 
 absl::StatusOr<PatchedTree> PatchTreeLevels(std::string_view pack, const FilePatch& patch,
                                             std::span<const FillMaterial> materials, const std::string& name,
-                                            const PaintFaces& paint, const std::string& image_name) {
+                                            const PaintFaces& paint, const std::string& image_name,
+                                            std::span<const TriMesh> cleared) {
   TILEMEND_ASSIGN_OR_RETURN(const TileTree tile, ReadTileTree(pack, name));
   const TreeLevel finest = LevelOf(tile, tile.levels - 1);
   LevelPatcher patcher(tile, materials, paint, image_name);
   TILEMEND_RETURN_IF_ERROR(
       patcher.Add(finest, 0, patch, PieceChoice(tile, finest, [](const TreePiece& piece) { return piece.is_finest; })));
+  std::vector<std::string> warnings;
   for (int32_t l = 0; l + 1 < tile.levels; ++l) {
     const TreeLevel level = LevelOf(tile, l);
     const PieceChoice choice(tile, level, [](const TreePiece& piece) { return !piece.is_finest; });
     if (choice.empty()) continue;
-    const FilePatch coarse = FillLevel(level.mesh, finest.mesh, patch);
-    TILEMEND_RETURN_IF_ERROR(patcher.Add(level, tile.levels - 1 - l, coarse, choice));
+    const auto number = static_cast<size_t>(l);
+    const LevelFill coarse =
+        FillLevel(level.mesh, finest.mesh, patch, number < cleared.size() ? cleared[number] : TriMesh());
+    if (!coarse.open.empty()) warnings.push_back(WarningOf(l, coarse.open, name));
+    TILEMEND_RETURN_IF_ERROR(patcher.Add(level, tile.levels - 1 - l, coarse.patch, choice));
   }
   TILEMEND_ASSIGN_OR_RETURN(std::string changed, ChangeTileTree(tile, patcher.edits(), name));
-  return PatchedTree{std::move(changed), patcher.levels()};
+  return PatchedTree{std::move(changed), patcher.levels(), std::move(warnings)};
 }
 
 }  // namespace tilemend

@@ -127,9 +127,11 @@ absl::StatusOr<PatchedBytes> PatchedTile(const v1::AssembleInput& input, const T
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(tile.path()));
   const std::string name = absl::StrCat(tile.root(), "/", tile.path());
   PatchedBytes result;
+  std::vector<TriMesh> cleared_surfaces;
   if (!tile.clear().empty()) {
     TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(tile, original));
     result = {std::move(cleared.bytes), std::move(cleared.levels)};
+    cleared_surfaces = std::move(cleared.surfaces);
     if (patch.triangles.empty()) return result;
     original = result.bytes;
   }
@@ -138,10 +140,11 @@ absl::StatusOr<PatchedBytes> PatchedTile(const v1::AssembleInput& input, const T
     return result;
   }
   const std::string image = std::filesystem::path(input.texture()).filename().string();
-  TILEMEND_ASSIGN_OR_RETURN(PatchedTree tree,
-                            PatchTreeLevels(original, patch, added.materials, name, added.paint, image));
+  TILEMEND_ASSIGN_OR_RETURN(
+      PatchedTree tree, PatchTreeLevels(original, patch, added.materials, name, added.paint, image, cleared_surfaces));
   result.bytes = std::move(tree.pack);
   AddLevels(tree.levels, result.levels);
+  result.warnings = std::move(tree.warnings);
   return result;
 }
 

@@ -49,7 +49,8 @@ absl::Status TakeTexture(const v1::AssembleInput& input, std::string_view origin
 
 struct PatchedBytes {
   std::string bytes;
-  std::vector<LevelCounts> levels = {};  // of a tree, without `nodes`; empty for other formats
+  std::vector<LevelCounts> levels = {};    // of a tree, without `nodes`; empty for other formats
+  std::vector<std::string> warnings = {};  // on holes of coarser levels that stay open
 };
 
 // The bytes of the tile with the patch, in all of its levels of detail: of a new file if the cell has no tile, else of

@@ -125,7 +125,7 @@ std::vector<std::string> SceneFiles::Warnings() const {
   for (const auto& [cell, of_cell] : warnings_) {
     for (const std::string& warning : of_cell) add(warning);
   }
-  if (more > 0) warnings.push_back(absl::StrCat(more, " more warnings on material files and images"));
+  if (more > 0) warnings.push_back(absl::StrCat(more, " more warnings on material files, images and levels of detail"));
   return warnings;
 }
 

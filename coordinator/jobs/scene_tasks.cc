@@ -438,7 +438,7 @@ absl::Status SceneTasks::ComparePatches(CellId cell, const v1::RimVertices& rims
 }
 
 absl::Status SceneTasks::TakeOutput(CellId cell, const v1::AssembleOutput& output) {
-  for (const auto* of : {&output.warnings(), &output.texture_warnings()}) files_.Warn(cell, {of->begin(), of->end()});
+  for (const auto* of : {&output.warnings(), &output.fill_warnings()}) files_.Warn(cell, {of->begin(), of->end()});
   TILEMEND_ASSIGN_OR_RETURN(const auto levels, FromProto(output.levels()));
   AddLevels(levels, levels_);
   TILEMEND_RETURN_IF_ERROR(waves_.Take(TileWritten{}));

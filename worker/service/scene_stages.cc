@@ -1,6 +1,7 @@
 #include "worker/service/scene_stages.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -229,14 +230,16 @@ absl::StatusOr<Delivered> AssembleDelivery(const v1::AssembleInput& input, const
   TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadSurveyed(input.tile(), input.stamp()));
   TILEMEND_ASSIGN_OR_RETURN(FillTexture texture, LayTexture(input, cancel, memory, added));
   std::vector<LevelCounts> levels;
+  std::vector<std::string> warnings = std::move(texture.warnings);
   if (!added.patch.triangles.empty() || !input.tile().clear().empty()) {
     TILEMEND_ASSIGN_OR_RETURN(PatchedBytes patched, PatchedTile(input, added, bytes));
     bytes = std::move(patched.bytes);
     levels = std::move(patched.levels);
+    std::ranges::move(patched.warnings, std::back_inserter(warnings));
   }
   TILEMEND_ASSIGN_OR_RETURN(Delivered delivered, DeliverTile(input, {bytes, nullptr, added.materials, texture.image}));
   delivered.levels = std::move(levels);
-  for (std::string& warning : texture.warnings) delivered.warnings.push_back(std::move(warning));
+  std::ranges::move(warnings, std::back_inserter(delivered.warnings));
   return delivered;
 }
 
@@ -273,6 +276,7 @@ absl::StatusOr<Assembled> AssembleTile(const v1::AssembleInput& input, const Can
   TILEMEND_ASSIGN_OR_RETURN(PatchedBytes patched, PatchedTile(input, added, original));
   result.bytes = std::move(patched.bytes);
   result.levels = std::move(patched.levels);
+  std::ranges::move(patched.warnings, std::back_inserter(result.warnings));
   if (has_tile && IsTileTree(input.tile().path())) {
     TILEMEND_RETURN_IF_ERROR(TakeTreeApart(input, original, result));
   } else {
@@ -369,7 +373,7 @@ absl::StatusOr<std::string> RunAssemble(const v1::AssembleInput& input, const Ca
   AttemptFiles files(input.attempts(), input.output_root());
   TILEMEND_ASSIGN_OR_RETURN(const auto warnings, WriteFilesBeside(input, tile, files));
   output.mutable_warnings()->Add(warnings.begin(), warnings.end());
-  output.mutable_texture_warnings()->Add(tile.warnings.begin(), tile.warnings.end());
+  output.mutable_fill_warnings()->Add(tile.warnings.begin(), tile.warnings.end());
   SetLevels(tile.levels, output);
   if (!tile.image.empty()) TILEMEND_RETURN_IF_ERROR(files.Write(input.texture(), tile.image));
   if (cancel.cancelled()) return absl::CancelledError("cancelled");

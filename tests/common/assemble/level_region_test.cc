@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
+#include "common/mesh/triangulation/region_triangulation.h"
+#include "common/mesh/winding/wound_region.h"
+
 namespace tilemend {
 namespace {
 
@@ -45,6 +51,58 @@ TEST_F(LevelRegionTest, TakesTheFirstOfPointsAtOnePlace) {
     EXPECT_EQ(first[i].from, a_[i].from);
     EXPECT_EQ(first[i].to, a_[i].to);
   }
+}
+
+TEST_F(LevelRegionTest, FindsTheHolesThatLoopsBound) {
+  const auto loop = [&](double x, double y, double side, bool is_island) {
+    std::vector<int32_t> corners;
+    for (const DirectedEdge& e : Square(region_, x, y, side)) corners.push_back(e.from);
+    if (is_island) std::reverse(corners.begin(), corners.end());
+    return corners;
+  };
+  // An island with a pond that has an island of its own, another hole, and a loop around nothing.
+  const std::vector<std::vector<int32_t>> loops = {loop(2, 2, 1, true),   loop(0, 0, 10, false),
+                                                   loop(1, 1, 8, true),   loop(1.5, 1.5, 6, false),
+                                                   loop(12, 2, 5, false), loop(15, 15, 2, true)};
+  EXPECT_EQ(region_.HolesOf(loops), (std::vector<std::vector<int32_t>>{{1, 2}, {3, 0}, {4}}));
+}
+
+TEST_F(LevelRegionTest, AnIslandThatTouchesItsHoleIsInIt) {
+  const int32_t first = region_.Add({0, 0});
+  for (const Point2& p : {Point2(8, 0), Point2(8, 8), Point2(0, 8), Point2(3, 5)}) region_.Add(p);
+  const std::vector<std::vector<int32_t>> loops = {{first, first + 1, first + 2, first + 3},
+                                                   {first, first + 4, first + 2}};
+  EXPECT_EQ(region_.HolesOf(loops).size(), 1u) << "the second runs clockwise";
+  EXPECT_EQ(region_.HolesOf(loops)[0], (std::vector<int32_t>{0, 1}));
+}
+
+// Rounding can leave an island beside the outer loop: an edge of one is that of the other, the other way.
+TEST_F(LevelRegionTest, LoopsThatRunAlongEachOtherBoundARegionWithoutTheirCommonEdges) {
+  const int32_t v = region_.Add({0, 0});
+  for (const Point2& p : {Point2(3, 0), Point2(5, 0), Point2(8, 0), Point2(8, 8), Point2(0, 8), Point2(4, 2)}) {
+    region_.Add(p);
+  }
+  std::vector<DirectedEdge> edges;
+  for (int32_t i = 0; i < 6; ++i) edges.push_back({v + i, v + (i + 1) % 6});
+  edges.insert(edges.end(), {{v + 1, v + 6}, {v + 6, v + 2}, {v + 2, v + 1}});
+  EXPECT_FALSE(TriangulateRegion(region_.points(), edges).conflicts.empty());
+  std::vector<DirectedEdge> simple;
+  for (const std::vector<int32_t>& loop : LoopsBetween(edges, {})) {
+    for (size_t i = 0; i < loop.size(); ++i) simple.push_back({loop[i], loop[(i + 1) % loop.size()]});
+  }
+  EXPECT_TRUE(TriangulateRegion(region_.points(), simple).conflicts.empty());
+  EXPECT_NEAR(AreaOf(region_, simple), 62, 1e-4);
+}
+
+TEST(FacingUpTest, WindsAroundAllThatIsCovered) {
+  // A square, and one that faces down and lies over a quarter of it and beyond. A wall.
+  const TriMesh mesh = {{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {2, 2, 1}, {6, 2, 1}, {6, 6, 1}, {2, 6, 1}},
+                        {{0, 1, 2}, {0, 2, 3}, {4, 6, 5}, {4, 7, 6}, {0, 2, 6}}};
+  const std::vector<Triangle> up = FacingUp(mesh, mesh.triangles);
+  EXPECT_EQ(up.size(), 4u);
+  LevelRegion region(LatticeWindow({0, 0}, {6, 6}));
+  const SurfaceOutline outline = SurfaceOutlineOf(up, [&](int32_t v) { return mesh.points[v]; });
+  EXPECT_NEAR(AreaOf(region, region.Simple(EdgesFrom(outline, region.AddAll(outline)))), 28, 1e-4);
 }
 
 TEST(SurfaceOutlineTest, DoubledVerticesAndSharedEdgesAreNone) {

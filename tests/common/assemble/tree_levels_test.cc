@@ -10,6 +10,7 @@
 #include "common/codec/tree/tile_tree.h"
 #include "tests/support/osgb_scene.h"
 #include "tests/support/pond_fan.h"
+#include "tests/support/top_at.h"
 
 namespace tilemend {
 namespace {
@@ -48,6 +49,43 @@ TEST(ClearTreeLevelsTest, EveryLevelLosesThePond) {
     }
     const auto removed = static_cast<int64_t>(was.mesh.triangles.size() - is.mesh.triangles.size());
     EXPECT_EQ(cleared->levels[static_cast<size_t>(l)], (LevelCounts{0, 0, 0, removed})) << l;
+    if (l < 2) {
+      EXPECT_EQ(std::ssize(cleared->surfaces[static_cast<size_t>(l)].triangles), removed) << l;
+    }
+  }
+  EXPECT_EQ(cleared->surfaces.size(), 2u) << "none of the finest level";
+}
+
+TEST(PatchTreeLevelsTest, CoarserLevelsHaveNoHoleAroundWhatWasCleared) {
+  const std::string pack = PackOf(OsgbScene::Pond::kNoise);
+  ClearArea area = PondArea();
+  const Point2 middle(30, 20);
+  for (Point2& p : area.polygon.rings[0]) {
+    p = middle + (p - Point2(OsgbScene::kCell, OsgbScene::kCell / 2)) * 2 / OsgbScene::kRadius;
+  }
+  area.top = 100;
+  const auto cleared = ClearTreeLevels(pack, {&area, 1}, "a/Tile.osgb");
+  ASSERT_TRUE(cleared.ok()) << cleared.status();
+  const auto before = ReadTileTree(pack, "a/Tile.osgb");
+  // The triangles that were cleared in the finest level are the patch.
+  const TreeLevel finest = LevelOf(*before, 2);
+  FilePatch patch;
+  const std::vector<int32_t> by = AreasThatClear(finest.mesh, {&area, 1});
+  for (size_t t = 0; t < by.size(); ++t) {
+    if (by[t] >= 0) patch.triangles.push_back(finest.mesh.triangles[t]);
+  }
+  const auto patched = PatchTreeLevels(cleared->bytes, patch, {}, "a/Tile.osgb", {}, "", cleared->surfaces);
+  ASSERT_TRUE(patched.ok()) << patched.status();
+  EXPECT_TRUE(patched->warnings.empty());
+  const auto after = ReadTileTree(patched->pack, "a/Tile.osgb");
+  ASSERT_TRUE(after.ok()) << after.status();
+  for (int32_t l = 0; l < 3; ++l) {
+    const TreeLevel is = LevelOf(*after, l);
+    for (double x = middle.x() - 9.87; x < middle.x() + 10; x += 0.5) {
+      for (double y = middle.y() - 9.81; y < middle.y() + 10; y += 0.5) {
+        EXPECT_FALSE(std::isnan(TopAt(is.mesh, {x, y}))) << "level " << l << " at " << x << ", " << y;
+      }
+    }
   }
 }
 

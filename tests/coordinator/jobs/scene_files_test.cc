@@ -70,7 +70,7 @@ TEST(SceneFilesTest, WarningsComeByCellAndAreCountedBeyondALimit) {
   EXPECT_THAT(files.Warnings(), ElementsAre("first", "second"));
   files.Warn(kC, std::vector<std::string>(SceneFiles::kMostWarnings, "more"));
   EXPECT_THAT(files.Warnings(), SizeIs(SceneFiles::kMostWarnings + 1));
-  EXPECT_EQ(files.Warnings().back(), "2 more warnings on material files and images");
+  EXPECT_EQ(files.Warnings().back(), "2 more warnings on material files, images and levels of detail");
 }
 
 TEST(SceneFilesTest, KeepsNoMoreWarningsThanItShows) {
@@ -82,7 +82,7 @@ TEST(SceneFilesTest, KeepsNoMoreWarningsThanItShows) {
   ASSERT_THAT(warnings, SizeIs(SceneFiles::kMostWarnings + 1));
   EXPECT_EQ(warnings[0], "\\x1b[2J");
   EXPECT_EQ(warnings[SceneFiles::kMostWarnings - 1], "b") << "by cell, whatever came first";
-  EXPECT_EQ(warnings.back(), "1001 more warnings on material files and images");
+  EXPECT_EQ(warnings.back(), "1001 more warnings on material files, images and levels of detail");
   SceneFiles others("");
   others.Warn(kA, {std::string(100'000, 'x')});
   EXPECT_EQ(others.Warnings()[0].size(), kMostFileWarningBytes);
