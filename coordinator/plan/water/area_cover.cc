@@ -95,11 +95,24 @@ CoverLines::CoverLines(std::span<const PlaneSegment> boundary) {
   }
 }
 
-double CoverLines::ShareIn(const WaterArea& area) const { return ShareIn(SegmentsOf(area)); }
+double CoverLines::ShareIn(const WaterArea& area) const {
+  Bounds box;  // without the segments: most areas are elsewhere
+  for (const std::vector<Point2>& ring : area.polygon.rings) {
+    for (const Point2& p : ring) {
+      box.lo = box.lo.cwiseMin(p);
+      box.hi = box.hi.cwiseMax(p);
+    }
+  }
+  return Meets(box.lo, box.hi) ? ShareIn(SegmentsOf(area)) : 0;
+}
+
+bool CoverLines::Meets(const Point2& lo, const Point2& hi) const {
+  return (hi_.array() >= lo.array()).all() && (hi.array() >= lo_.array()).all();
+}
 
 double CoverLines::ShareIn(std::span<const PlaneSegment> outline) const {
   const Bounds covered = BoundsOf(outline);
-  if ((hi_.array() < covered.lo.array()).any() || (covered.hi.array() < lo_.array()).any()) return 0;
+  if (!Meets(covered.lo, covered.hi)) return 0;
   double common = 0;
   for (const Line& line : lines_) {
     const bool meets = line.y >= covered.lo.y() && line.y <= covered.hi.y();

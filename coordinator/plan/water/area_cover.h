@@ -47,6 +47,8 @@ class CoverLines {
     std::vector<double> inside;  // where intervals begin and end, ascending
   };
 
+  bool Meets(const Point2& lo, const Point2& hi) const;
+
   Point2 lo_, hi_;
   std::vector<Line> lines_;
   double length_ = 0;  // of all intervals

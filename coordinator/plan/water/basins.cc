@@ -20,7 +20,7 @@ void Judge(double min_river, bool is_known_river, Basin& basin) {
   const std::vector<PlaneSegment> outline = Together(basin.outlines);
   basin.evidence = EvidenceOf(basin.rim, outline);
   basin.river.reset();
-  if (!basin.evidence.is_enough()) return;
+  if (!basin.evidence.is_enough() || !MayFall(basin.evidence)) return;
   const std::vector<Point2> axis = RiverAxis(basin.outlines, min_river);
   if (axis.size() > 1) basin.river = FindFall(axis, basin.rim, outline, basin.evidence, is_known_river);
 }
@@ -40,9 +40,11 @@ bool IsNear(const Basin& part, const Basin& joint) {
   return std::abs(part.evidence.level - joint.evidence.level) <= kSigmas * part.evidence.sigma();
 }
 
-// Whether a basin whose own rim tells no level has its foot at that of both.
-bool HasFootAt(const LevelEvidence& e, double level) {
-  return level <= e.median && e.second_percentile - level < (e.median - e.second_percentile) / 2;
+// Whether a basin whose own rim tells no level has its foot at that of both: there, as sure as that is, and far below
+// most of its rim.
+bool HasFootAt(const LevelEvidence& e, double level, const LevelEvidence& water) {
+  const double above = e.second_percentile - level;
+  return level <= e.median && above < (e.median - e.second_percentile) / 2 && CanBeOneLevel(above, water, {});
 }
 
 // Whether a basin alone has its water at that of the river.
@@ -50,19 +52,19 @@ bool IsReachOf(const FallingWater& river, const Basin& part) {
   const LevelEvidence above = EvidenceOf(AboveRiver(river.water, part.rim), {});
   const LevelEvidence& alone = part.river ? part.river->evidence : part.evidence;
   if (part.is_level()) return CanBeOneLevel(above.level, alone, {});
-  return HasFootAt(above, 0);
+  return HasFootAt(above, 0, river.evidence);
 }
 
 bool IsOneWater(const Basin& a, const Basin& b, const Basin& joint) {
   if (joint.river) return IsReachOf(*joint.river, a) && IsReachOf(*joint.river, b);
   if (a.river || b.river) return false;
   if (a.is_level() && b.is_level()) return joint.is_level() && IsNear(a, joint) && IsNear(b, joint);
-  return joint.evidence.agrees() && HasFootAt((a.is_level() ? b : a).evidence, joint.evidence.level);
+  return joint.evidence.agrees() && HasFootAt((a.is_level() ? b : a).evidence, joint.evidence.level, joint.evidence);
 }
 
 // Where a basin is, for the search of others near it.
 struct Extent {
-  explicit Extent(const Basin& basin) : width(2 * basin.area / basin.evidence.length) {
+  explicit Extent(const Basin& basin) : width(basin.Width()) {
     for (const auto& [a, b] : basin.outlines[0]) {
       corners.push_back(a);
       box.extend(a);
@@ -112,6 +114,25 @@ std::vector<Pair> NearPairs(const std::vector<Basin>& basins) {
 }
 
 }  // namespace
+
+double Basin::Width() const {
+  std::vector<PlaneSegment> segments = Together(outlines);
+  for (auto& [a, b] : segments) {
+    if (std::pair(b.x(), b.y()) < std::pair(a.x(), a.y())) std::swap(a, b);
+  }
+  const auto order = [](const PlaneSegment& s) {
+    return std::tuple(s.first.x(), s.first.y(), s.second.x(), s.second.y());
+  };
+  std::ranges::sort(segments, {}, order);
+  double length = 0;
+  for (size_t i = 0; i < segments.size();) {
+    size_t next = i + 1;
+    while (next < segments.size() && order(segments[next]) == order(segments[i])) ++next;
+    if (next == i + 1) length += (segments[i].second - segments[i].first).norm();  // seams occur twice
+    i = next;
+  }
+  return length > 0 ? 2 * area / length : 0;
+}
 
 Basin MakeBasin(size_t number, std::vector<PlaneSegment> outline, std::vector<RimChain> rim, double area,
                 double min_river, bool is_known_river) {

@@ -21,6 +21,8 @@ struct Basin {
   std::optional<FallingWater> river;                // not empty: it falls
 
   bool is_level() const { return river || evidence.is_level(); }
+  // In the mean, metres: the area over half the outline, with what of that is the edge of the area.
+  double Width() const;
 };
 
 // A basin with its evidence. `min_river`: of rivers, metres in the mean. `is_known_river`: as for FindFall.
@@ -28,12 +30,13 @@ struct Basin {
 Basin MakeBasin(size_t number, std::vector<PlaneSegment> outline, std::vector<RimChain> rim, double area,
                 double min_river, bool is_known_river = false);
 
-// Joins basins that hold one water: the nearest first, no farther apart than they are wide together (area over half
-// the rim). They do in these cases:
+// Joins basins that hold one water: the nearest first, no farther apart than they are wide together. They do in these
+// cases:
 //   both alone are level: they are level together, at a level that is no farther from that of either than three times
 //                         its sigma
 //   one alone is level:   J < D / 2 for both together, at a level in the lower half of the other's rim, and close to
-//                         the foot of it (its 2 % quantile; closer than half the way from there to its median)
+//                         the foot of it (its 2 % quantile; closer than half the way from there to its median, and no
+//                         farther than three times the sigma)
 //   a river together:     the same holds for the rim of each above that river
 // Cost: for basins that are near, the product of their outlines where these are near, and MakeBasin's for both.
 // Deterministic.

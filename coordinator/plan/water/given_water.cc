@@ -39,7 +39,7 @@ std::vector<GivenWater> TakeRiver(const std::vector<Point2>& line, Parts& parts)
   const LevelEvidence evidence = EvidenceOf(AboveRiver(profile.water, RimOf(on)), {});
   std::erase_if(parts, [&](GivenPart& part) {
     const LevelEvidence own = EvidenceOf(AboveRiver(profile.water, part.rim), {});
-    if (own.is_enough() && !CanBeOneLevel(own.level, own, evidence)) return false;
+    if (!CanBeOneLevel(own.level, own, evidence)) return false;
     on.push_back(std::move(part));
     return true;
   });
@@ -52,8 +52,8 @@ std::vector<GivenWater> TakeRiver(const std::vector<Point2>& line, Parts& parts)
 
 GivenWater LakeOf(const WaterArea& area, const GivenPart& part, double min_river) {
   GivenWater water{{part.number}, {}};
-  const Basin basin =
-      MakeBasin(part.number, part.outline, part.rim, part.area, min_river, area.kind == WaterKind::kRiver);
+  const bool is_river = area.kind == WaterKind::kRiver;  // then it is one, however narrow
+  const Basin basin = MakeBasin(part.number, part.outline, part.rim, part.area, is_river ? 0 : min_river, is_river);
   water.body.level = area.level.value_or(basin.evidence.level);
   water.body.shore_level = basin.evidence.level;
   DescribeRim(basin.evidence, basin.evidence.sigma(), water.body);

@@ -80,10 +80,12 @@ std::vector<Point2> RiverAxis(std::span<const std::vector<PlaneSegment>> reaches
   return axis;
 }
 
+bool MayFall(const LevelEvidence& level) { return level.disagreement > level.noise; }
+
 std::optional<FallingWater> FindFall(const std::vector<Point2>& axis, std::span<const RimChain> rim,
                                      std::span<const PlaneSegment> outline, const LevelEvidence& level,
                                      bool is_known_river) {
-  if (level.disagreement <= level.noise) return std::nullopt;
+  if (!MayFall(level)) return std::nullopt;
   FallLine fall = FitFall(axis, rim);
   if (fall.with_level < kMinStations || fall.slope == 0) return std::nullopt;
   const double better = is_known_river ? 1 : fall.with_level < kManyStations ? kFarBetter : kBetter;

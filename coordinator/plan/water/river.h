@@ -22,10 +22,13 @@ struct FallingWater {
 // reach is longer than wide, or `min_width` metres wide in the mean. Cost: FindCentrelines' for each.
 std::vector<Point2> RiverAxis(std::span<const std::vector<PlaneSegment>> reaches, double min_width);
 
+// Whether a rim may be that of falling water: its level's J is more than its noise.
+bool MayFall(const LevelEvidence& level);
+
 // The river along an axis, if a falling line explains its rim far better than a level does. The moved rim is then
 // level, and its J is less than a third of that of `level`, which judges the rim as a lake. It must be less than a
 // fifth if fewer than eight stations have a level. It need only be less if a part of the water is known to fall. Four
-// stations have to have one, and the level's J is more than its noise. Preconditions: the axis has at least two points,
+// stations have to have one, and MayFall(level). Preconditions: the axis has at least two points,
 // the rim an edge. Cost: FitFall's, and EvidenceOf's.
 std::optional<FallingWater> FindFall(const std::vector<Point2>& axis, std::span<const RimChain> rim,
                                      std::span<const PlaneSegment> outline, const LevelEvidence& level,

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -183,7 +184,7 @@ class WaterFinder {
     }
     std::vector<Eigen::AlignedBox2d> level;
     for (const Basin& basin : basins) {
-      if (basin.is_level()) level.push_back(SurroundingsOf(basin.outlines[0], 2 * basin.area / basin.evidence.length));
+      if (basin.is_level()) level.push_back(SurroundingsOf(basin.outlines[0], basin.Width()));
     }
     for (size_t g = 0; g < groups_.size(); ++g) {
       if (groups_[g].is_judged || groups_[g].holes.empty()) continue;
@@ -191,11 +192,23 @@ class WaterFinder {
       const auto meets = [&](const Eigen::AlignedBox2d& other) { return other.intersects(box); };
       if (std::ranges::any_of(level, meets)) AddBasin(g, basins);
     }
-    basins = JoinBasins(std::move(basins), options_.profile.least_river);
+    // What is level and has lower surface around it, as a yard behind a dyke, joins no water.
+    const std::vector<double> alone = LowerSharesOf(basins);
+    std::vector<Basin> apart, others;
+    for (size_t b = 0; b < basins.size(); ++b) {
+      const bool is_apart = basins[b].is_level() && alone[b] > kMaxLowerShare;
+      (is_apart ? apart : others).push_back(std::move(basins[b]));
+    }
+    basins = JoinBasins(std::move(others), options_.profile.least_river);
+    std::ranges::move(apart, std::back_inserter(basins));
+    const std::vector<double> lower = LowerSharesOf(basins);
+    for (size_t b = 0; b < basins.size(); ++b) Decide(basins[b], lower[b]);
+  }
+
+  std::vector<double> LowerSharesOf(const std::vector<Basin>& basins) const {
     std::vector<Shore> shores;
     for (const Basin& basin : basins) shores.push_back(basin.is_level() ? ShoreOf(basin) : Shore());
-    const std::vector<double> lower = LowerShares(plan_, input_, shores);
-    for (size_t b = 0; b < basins.size(); ++b) Decide(basins[b], lower[b]);
+    return LowerShares(plan_, input_, shores);
   }
 
   void AddBasin(size_t g, std::vector<Basin>& basins) {
@@ -238,6 +251,8 @@ class WaterFinder {
   }
 
   void AddBody(const std::vector<size_t>& groups, WaterBody body) {
+    if (!body.river.stations.empty()) body.level = body.river.stations.back().z();
+    body.level = std::round(body.level / plan_.lattice_step) * plan_.lattice_step;
     for (const size_t g : groups) {
       body.holes.insert(body.holes.end(), groups_[g].holes.begin(), groups_[g].holes.end());
       if (!groups_[g].decider) continue;
@@ -250,8 +265,6 @@ class WaterFinder {
     body.reason = groups_[groups.front()].evidence.reason;
     std::ranges::sort(body.holes);
     body.rim_vertices = std::ssize(RimVerticesOf(plan_, body.holes));
-    if (!body.river.stations.empty()) body.level = body.river.stations.back().z();
-    body.level = std::round(body.level / plan_.lattice_step) * plan_.lattice_step;
     bodies_.push_back(std::move(body));
   }
 
