@@ -50,10 +50,38 @@ std::vector<GivenWater> TakeRiver(const std::vector<Point2>& line, Parts& parts)
   return {std::move(river)};
 }
 
+Basin BasinOf(const WaterArea& area, size_t number, const GivenPart& part, double min_river) {
+  const bool is_river = area.kind == WaterKind::kRiver;  // then it is one, however narrow
+  return MakeBasin(number, part.outline, part.rim, part.area, is_river ? 0 : min_river, is_river);
+}
+
+// Takes the rivers that fall through several of the parts, as on under bridges, out of them.
+std::vector<GivenWater> TakeJointRivers(const WaterArea& area, double min_river, Parts& parts) {
+  std::vector<Basin> basins;
+  for (size_t p = 0; p < parts.size(); ++p) basins.push_back(BasinOf(area, p, parts[p], min_river));
+  std::vector<GivenWater> rivers;
+  std::vector<bool> is_taken(parts.size(), false);
+  for (const Basin& basin : JoinBasins(std::move(basins), area.kind == WaterKind::kRiver ? 0 : min_river)) {
+    if (!basin.river || basin.members.size() < 2) continue;
+    GivenWater& river = rivers.emplace_back();
+    for (const size_t p : basin.members) {
+      is_taken[p] = true;
+      river.parts.push_back(parts[p].number);
+    }
+    DescribeRim(basin.evidence, basin.river->evidence.sigma(), river.body);
+    river.body.river = basin.river->water;
+  }
+  Parts rest;
+  for (size_t p = 0; p < parts.size(); ++p) {
+    if (!is_taken[p]) rest.push_back(std::move(parts[p]));
+  }
+  parts = std::move(rest);
+  return rivers;
+}
+
 GivenWater LakeOf(const WaterArea& area, const GivenPart& part, double min_river) {
   GivenWater water{{part.number}, {}};
-  const bool is_river = area.kind == WaterKind::kRiver;  // then it is one, however narrow
-  const Basin basin = MakeBasin(part.number, part.outline, part.rim, part.area, is_river ? 0 : min_river, is_river);
+  const Basin basin = BasinOf(area, part.number, part, min_river);
   water.body.level = area.level.value_or(basin.evidence.level);
   water.body.shore_level = basin.evidence.level;
   DescribeRim(basin.evidence, basin.evidence.sigma(), water.body);
@@ -78,6 +106,9 @@ std::vector<GivenWater> WaterOfArea(const WaterArea& area, std::vector<GivenPart
   std::vector<GivenWater> all;
   if (!area.level && area.kind != WaterKind::kLake && area.centreline.size() > 1)
     all = TakeRiver(area.centreline, parts);
+  if (!area.level && area.kind != WaterKind::kLake && parts.size() > 1) {
+    for (GivenWater& river : TakeJointRivers(area, min_river, parts)) all.push_back(std::move(river));
+  }
   std::ranges::stable_sort(parts, [](const GivenPart& a, const GivenPart& b) { return a.area > b.area; });
   const size_t first = all.size();
   LevelEvidence largest;

@@ -25,6 +25,7 @@ struct GivenWater {
 
 // The bodies of water in the parts that an area decides on:
 //   with a centreline  a river (FitRiver) of the parts that it runs through
+//   several            a river that falls through them, if JoinBasins finds one
 //   others             each a lake at the area's level, or that of its rim; or a river, if FindFall finds one
 // An area of kind kLake has no river; one of kind kRiver says that its water falls.
 // A part belongs to the river there, or to the largest lake, if CanBeOneLevel.

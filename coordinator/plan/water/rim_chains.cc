@@ -1,6 +1,7 @@
 #include "coordinator/plan/water/rim_chains.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "common/mesh/edge_loops.h"
@@ -21,6 +22,12 @@ std::vector<DirectedEdge> OriginalEdges(const Plan& plan, const std::vector<int3
   return edges;
 }
 
+// Where the walk around a rim begins depends on its cells, and the ends of a chain are judged by fewer edges.
+void BeginAtLowestPlace(RimChain& chain) {
+  const auto place = [](const ChainEdge& e) { return std::tuple(e.middle.x(), e.middle.y(), e.middle.z()); };
+  std::ranges::rotate(chain, std::ranges::min_element(chain, {}, place));
+}
+
 }  // namespace
 
 std::vector<RimChain> RimChainsOf(const Plan& plan, const std::vector<int32_t>& holes) {
@@ -32,6 +39,7 @@ std::vector<RimChain> RimChainsOf(const Plan& plan, const std::vector<int32_t>& 
       const Point3 &a = plan.vertices[edges[e].from].position, &b = plan.vertices[edges[e].to].position;
       chain.push_back({(a + b) / 2, (b - a).head<2>().norm()});
     }
+    if (walk.closed) BeginAtLowestPlace(chain);
   }
   return chains;
 }

@@ -11,7 +11,8 @@
 namespace tilemend {
 
 // The rim of some holes: edges between two original vertices, linked over borders of cells. Seams, outlines
-// of pieces and the edge of an area are in none. Cost O(n log n) in the holes' segments.
+// of pieces and the edge of an area are in none. A chain around a hole begins at the same edge in any partition. Cost
+// O(n log n) in the holes' segments.
 std::vector<RimChain> RimChainsOf(const Plan& plan, const std::vector<int32_t>& holes);
 
 }  // namespace tilemend

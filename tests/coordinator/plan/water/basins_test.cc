@@ -69,5 +69,26 @@ TEST(JoinBasinsTest, TheOrderDoesNotMatter) {
   EXPECT_EQ(Join(a, b)[0].evidence.level, Join(b, a)[0].evidence.level);
 }
 
+// On an even slope a rim's foot is always nearer to the lake's level than to its own middle, however high it lies.
+TEST(JoinBasinsTest, AHoleOnASlopeAboveALakeIsNoWater) {
+  const auto slope = [](double x, double) { return 10 + 0.3 * (x - 80); };
+  const std::vector<Basin> apart = Join(BasinOf(0, {0, 0}, {80, 40}, Level), BasinOf(1, {88, 0}, {128, 40}, slope));
+  EXPECT_EQ(apart.size(), 2u);
+}
+
+TEST(BasinTest, WaterAtTheEdgeOfTheAreaIsAsWideAsItIs) {
+  MadeRim rim = BoxRim({0, 0}, {400, 100}, Level);
+  // Three sides are the edge of the area: they are in the outline, and no surface lies there.
+  std::vector<RimChain> shore(1);
+  for (const ChainEdge& edge : rim.chains[0]) {
+    if (edge.middle.y() < 1) shore[0].push_back(edge);
+  }
+  const Basin basin = MakeBasin(0, rim.outline, shore, 400 * 100, kMinRiver);
+  EXPECT_NEAR(basin.Width(), 2 * 400 * 100 / 1000.0, 0.01);
+  Basin of_two = basin;
+  of_two.outlines.push_back({{{0, 50}, {400, 50}}, {{400, 50}, {0, 50}}});  // a seam inside
+  EXPECT_NEAR(of_two.Width(), basin.Width(), 0.01);
+}
+
 }  // namespace
 }  // namespace tilemend

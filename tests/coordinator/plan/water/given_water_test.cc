@@ -104,5 +104,34 @@ TEST(WaterOfAreaTest, ALakeBesideAGivenCentrelineKeepsItsLevel) {
   EXPECT_NEAR(water[1].body.level, 11, 0.02);
 }
 
+TEST(WaterOfAreaTest, APondWithAShortShoreBesideAGivenCentrelineKeepsItsLevelToo) {
+  WaterArea area;
+  area.centreline = {{0, 12}, {400, 12}};
+  const std::vector<GivenWater> water =
+      WaterOfArea(area, {PartOf(0, {0, 0}, {400, 24}, Falling), PartOf(1, {100, 40}, {104, 44}, At(18))}, kMinRiver);
+  ASSERT_EQ(water.size(), 2u);
+  EXPECT_NEAR(water[1].body.level, 18, 0.05);
+}
+
+TEST(WaterOfAreaTest, ARiverOfTheUsersIsOneHoweverNarrow) {
+  WaterArea area;
+  area.kind = WaterKind::kRiver;
+  const std::vector<GivenWater> water = WaterOfArea(area, {PartOf(0, {0, 0}, {400, 5}, Falling)}, kMinRiver);
+  ASSERT_EQ(water.size(), 1u);
+  EXPECT_FALSE(water[0].body.river.stations.empty());
+}
+
+TEST(WaterOfAreaTest, ReachesUnderBridgesAreOneRiver) {
+  const std::vector<GivenPart> parts = {PartOf(4, {0, 0}, {240, 24}, Falling), PartOf(2, {252, 0}, {500, 24}, Falling),
+                                        PartOf(7, {100, 60}, {160, 100}, At(12))};
+  const std::vector<GivenWater> water = WaterOfArea({}, parts, kMinRiver);
+  ASSERT_EQ(water.size(), 2u);
+  EXPECT_EQ(water[0].parts, (std::vector<size_t>{4, 2}));
+  const auto& stations = water[0].body.river.stations;
+  ASSERT_FALSE(stations.empty());
+  EXPECT_GT(stations.front().z(), stations.back().z());
+  EXPECT_EQ(water[1].parts, (std::vector<size_t>{7}));
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -34,6 +34,24 @@ TEST(RimChainsTest, LinksTheRimOverBordersOfCells) {
   EXPECT_LT(length, 500);
 }
 
+TEST(RimChainsTest, AChainAroundAHoleBeginsAtTheSameEdgeWhereverTheWalkBegins) {
+  Plan plan;
+  plan.vertices.resize(4);
+  for (int32_t v = 0; v < 4; ++v) {
+    plan.vertices[v].position = Point3(v == 1 || v == 2, v > 1, 1);
+    plan.vertices[v].index = v;
+  }
+  plan.holes.resize(1);
+  for (int32_t first = 0; first < 4; ++first) {
+    std::vector<RimSegment>& segments = plan.holes[0].segments;
+    segments.clear();
+    for (int32_t k = 0; k < 4; ++k) segments.push_back({(first + k) % 4, (first + k + 1) % 4, false});
+    const std::vector<RimChain> chains = RimChainsOf(plan, {0});
+    ASSERT_THAT(chains, SizeIs(1));
+    EXPECT_EQ(chains[0][0].middle, Point3(0, 0.5, 1));
+  }
+}
+
 TEST(RimChainsTest, SeamsAndNewVerticesAreInNone) {
   Plan plan;
   plan.vertices.resize(4);
