@@ -50,8 +50,8 @@ std::optional<absl::Status> WorkerNews::EndOf(WorkerSync& sync) {
   if (!sync.alive()) return absl::CancelledError("the worker went away");
   if (request.draining() && request.held().empty()) {
     updates_.Apply(WorkerLeft{request.worker()}).IgnoreError();
-    cluster_.left[{request.worker(), request.secret()}] = {request.sequence(), cluster_.options.clock()};
-    cluster_.ForgetWorker(request.worker());
+    caller->second.left = cluster_.options.clock();
+    cluster_.trust.RemoveWorker(request.worker());
     cluster_.events.WorkerLeft(request.worker());
     cluster_.ShowMetrics();
     response.set_leave(true);

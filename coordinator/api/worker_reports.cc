@@ -38,12 +38,13 @@ std::vector<ResultIntake::Report> WorkerReports::Check(const v1::SyncRequest& re
 }
 
 absl::Status WorkerReports::TakeOver(const v1::SyncRequest& request, const std::string& identity) {
-  if (const auto left = cluster_.left.find({request.worker(), request.secret()});
-      left != cluster_.left.end() && request.sequence() < left->second.sequence) {
-    return absl::AbortedError("this worker has left");
-  }
   const WorkerCaller caller{0, request.secret(), request.release(), identity, cluster_.options.clock()};
   WorkerCaller& known = cluster_.callers.try_emplace(request.worker(), caller).first->second;
+  if (known.left) {
+    const bool is_late = IsSameCaller(known, request, identity) && request.sequence() < known.sequence;
+    if (is_late) return absl::AbortedError("this worker has left");
+    known = caller;
+  }
   if (IsSameCaller(known, request, identity)) {
     known.sequence = std::max(known.sequence, request.sequence());
     return absl::OkStatus();
@@ -95,7 +96,7 @@ std::vector<std::string> WorkerReports::TakeSeen(const v1::SyncRequest& request)
     cluster_.events.WorkerBlind(request.worker(), seen.job(), *warning);
     unseen.push_back(seen.job());
   }
-  cluster_.metrics.ShowTrust(cluster_.trust.set_aside(), cluster_.trust.blind());
+  cluster_.metrics.ShowTrust(cluster_.trust.Count());
   return unseen;
 }
 

@@ -12,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -60,12 +61,8 @@ struct WorkerCaller {
   std::string identity;
   absl::Time first_seen;
   int calls = 0;  // whose results are being checked
-};
-
-// A worker's process that has left. A call of its that comes late must not make it known again.
-struct LeftWorker {
-  uint64_t sequence = 0;  // of the call with which it left
-  absl::Time time;
+  // When it left; a call that comes late must not make it known again.
+  std::optional<absl::Time> left = std::nullopt;
 };
 
 using ClusterLock = std::unique_lock<std::mutex>;
@@ -118,9 +115,8 @@ struct Cluster {
   bool stopping = false;
   ClusterEvents events;
   CoordinatorState state;
-  std::map<std::string, JobEntry> jobs;                            // by id
-  std::map<std::string, WorkerCaller> callers;                     // workers, by id
-  std::map<std::pair<std::string, std::string>, LeftWorker> left;  // by id and secret; as long as a call can be late
+  std::map<std::string, JobEntry> jobs;         // by id
+  std::map<std::string, WorkerCaller> callers;  // workers, by id
   WorkerTrust trust;
 };
 

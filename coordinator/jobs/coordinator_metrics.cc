@@ -68,9 +68,9 @@ void CoordinatorMetrics::Show(const CoordinatorState& state) {
   tasks_running_->Set(static_cast<double>(running));
 }
 
-void CoordinatorMetrics::ShowTrust(size_t set_aside, size_t blind) {
-  workers_set_aside_->Set(static_cast<double>(set_aside));
-  workers_blind_->Set(static_cast<double>(blind));
+void CoordinatorMetrics::ShowTrust(const WorkerTrust::Counts& counts) {
+  workers_set_aside_->Set(static_cast<double>(counts.set_aside));
+  workers_blind_->Set(static_cast<double>(counts.blind));
 }
 
 }  // namespace tilemend

@@ -7,6 +7,7 @@
 #include "absl/time/time.h"
 #include "common/metrics/metrics.h"
 #include "common/util/stage.h"
+#include "coordinator/jobs/worker_trust.h"
 #include "coordinator/state/coordinator_state.h"
 
 namespace tilemend {
@@ -25,7 +26,7 @@ class CoordinatorMetrics {
   void BlobReceived(int64_t bytes) { blob_bytes_received_->Increment(static_cast<double>(bytes)); }
   // Sets the gauges: O(jobs).
   void Show(const CoordinatorState& state);
-  void ShowTrust(size_t set_aside, size_t blind);
+  void ShowTrust(const WorkerTrust::Counts& counts);
 
  private:
   struct PerStage {

@@ -48,7 +48,9 @@ void Housekeeping::Tick() {
     cluster_.trust.RemoveJob(id);
     entry.blobs.reset();
   }
-  std::erase_if(cluster_.left, [&](const auto& left) { return left.second.time + cluster_.options.lease < now; });
+  std::erase_if(cluster_.callers, [&](const auto& caller) {
+    return caller.second.left && *caller.second.left + cluster_.options.lease < now;
+  });
   ForgetOldJobs(now);
   also_(now);
   cluster_.ShowMetrics();

@@ -162,23 +162,18 @@ void JobRunner::ReleaseOnly() {
 }
 
 absl::StatusOr<JobOutcome> JobRunner::RunToTheEnd(std::unique_ptr<JobPipeline>& pipeline) {
-  absl::StatusOr<JobOutcome> outcome;
   while (true) {
-    outcome = RunPipeline(pipeline);
+    absl::StatusOr<JobOutcome> outcome = RunPipeline(pipeline);
     const absl::StatusOr<bool> again = PrepareToBeginAgain(pipeline);
-    if (!again.ok()) outcome = again.status();
     if (again.ok() && *again) continue;
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (again.ok() && IsBegunAgain(failure_) && !cancel_.stop_requested()) continue;  // told since it was looked
-    return EndOf(std::move(outcome));
+    const bool is_cancelled = cancel_.stop_requested();
+    if (again.ok() && IsBegunAgain(failure_) && !is_cancelled) continue;  // told since it was looked
+    pipeline_ = nullptr;
+    too_late_ = !is_cancelled;
+    if (is_cancelled) return absl::CancelledError("the job was cancelled");
+    return again.ok() ? std::move(outcome) : again.status();
   }
-}
-
-absl::StatusOr<JobOutcome> JobRunner::EndOf(absl::StatusOr<JobOutcome> outcome) {
-  pipeline_ = nullptr;
-  too_late_ = !cancel_.stop_requested();
-  if (cancel_.stop_requested()) return absl::CancelledError("the job was cancelled");
-  return outcome;
 }
 
 absl::StatusOr<bool> JobRunner::PrepareToBeginAgain(std::unique_ptr<JobPipeline>& pipeline) {

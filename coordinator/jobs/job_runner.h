@@ -110,8 +110,6 @@ class JobRunner {
   absl::StatusOr<std::unique_ptr<JobPipeline>> MakePipeline();
   // Makes the pipeline and runs it to its end, whatever it throws.
   absl::StatusOr<JobOutcome> RunPipeline(std::unique_ptr<JobPipeline>& pipeline);
-  // From now on it is too late to cancel the job, or to begin again. Needs the lock.
-  absl::StatusOr<JobOutcome> EndOf(absl::StatusOr<JobOutcome> outcome);
   // After a pipeline ended. False if that is the job's end.
   absl::StatusOr<bool> PrepareToBeginAgain(std::unique_ptr<JobPipeline>& pipeline);
   // Durable ones.

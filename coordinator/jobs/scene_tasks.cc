@@ -108,18 +108,15 @@ void SetDelivery(const Grid& grid, const std::string& format, CellId cell, v1::A
   input.set_y_middle(grid.corner.y() + (cell.row + 0.5) * grid.cell_size.y());
 }
 
-// The tiles are sorted by (row, col).
-std::vector<SceneTile>::const_iterator FirstTileFrom(const Scene& scene, CellId cell) {
-  return std::ranges::lower_bound(scene.tiles, std::pair(cell.row, cell.col), std::less<>(),
-                                  [](const SceneTile& tile) { return std::pair(tile.cell.row, tile.cell.col); });
-}
-
 // The tiles that the texture of a cell's fill is made from: its own and those around it.
 template <typename Ref>
 absl::Status AddTilesAround(const Scene& scene, CellId cell, const Ref& ref, v1::AssembleInput& input) {
+  const auto place = [](const SceneTile& tile) {
+    return std::pair(tile.cell.row, tile.cell.col);
+  };  // they are in order
   for (int32_t row = cell.row - 1; row <= cell.row + 1; ++row) {
-    for (auto other = FirstTileFrom(scene, {cell.col - 1, row});
-         other != scene.tiles.end() && other->cell.row == row && other->cell.col <= cell.col + 1; ++other) {
+    auto other = std::ranges::lower_bound(scene.tiles, std::pair(row, cell.col - 1), std::less<>(), place);
+    for (; other != scene.tiles.end() && place(*other) <= std::pair(row, cell.col + 1); ++other) {
       const int32_t col = other->cell.col;
       v1::TextureCell& around = *input.add_around();
       TILEMEND_ASSIGN_OR_RETURN(*around.mutable_tile(), ref(*other));

@@ -74,7 +74,7 @@ void StateUpdates::TakeVerdicts(const Effects& effects) {
   for (const std::string& worker : effects.cleared) {
     if (cluster_.trust.Clear(worker)) cluster_.events.WorkerCleared(worker);
   }
-  cluster_.metrics.ShowTrust(cluster_.trust.set_aside(), cluster_.trust.blind());
+  cluster_.metrics.ShowTrust(cluster_.trust.Count());
   cluster_.work_changed.notify_all();
   for (const auto* blamed : {&effects.convicted, &effects.suspected}) {
     for (const auto& [worker, reason] : *blamed) Apply(WorkerLeft{worker}).IgnoreError();  // others do what it holds

@@ -144,10 +144,10 @@ std::vector<std::string> WorkerTrust::BlindTo(const std::string& worker) const {
   return jobs;
 }
 
-size_t WorkerTrust::blind() const {
-  size_t count = 0;
-  for (const auto& [job, view] : jobs_) count += view.blind;
-  return count;
+WorkerTrust::Counts WorkerTrust::Count() const {
+  Counts counts{set_aside_.size(), 0};
+  for (const auto& [job, view] : jobs_) counts.blind += view.blind;
+  return counts;
 }
 
 }  // namespace tilemend

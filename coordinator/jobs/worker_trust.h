@@ -59,9 +59,11 @@ class WorkerTrust {
   // Jobs whose folders it does not see.
   std::vector<std::string> BlindTo(const std::string& worker) const;
 
-  size_t set_aside() const { return set_aside_.size(); }
-  // Workers that do not see some job's folders, counted for each job.
-  size_t blind() const;
+  struct Counts {
+    size_t set_aside = 0;
+    size_t blind = 0;  // workers that do not see some job's folders, counted for each job
+  };
+  Counts Count() const;
 
  private:
   struct JobView {

@@ -247,7 +247,7 @@ absl::StatusOr<OutputFolder> OutputFolder::Claim(const std::string& path, const 
   TILEMEND_RETURN_IF_ERROR(folder.Lock());
   if (!overwrite) {
     TILEMEND_RETURN_IF_ERROR(CheckVacant(path, key));  // another job may have ended here since
-    if (!folder.keep_) TILEMEND_RETURN_IF_ERROR(folder.WriteKey());
+    if (!folder.keep_) TILEMEND_RETURN_IF_ERROR(folder.marker_->Write(key));
   }
   TILEMEND_ASSIGN_OR_RETURN(folder.attempts_, AttemptFolder::Make(path));
   return folder;
@@ -289,10 +289,8 @@ bool OutputFolder::IsBare() const {
          std::all_of(names->begin(), names->end(), [&](const std::string& name) { return hidden.contains(name); });
 }
 
-absl::Status OutputFolder::WriteKey() { return marker_->Write(key_); }
-
 absl::Status OutputFolder::BeginWriting() {
-  TILEMEND_RETURN_IF_ERROR(WriteKey());
+  TILEMEND_RETURN_IF_ERROR(marker_->Write(key_));
   keep_ = wrote_ = true;
   // An old report beside new tiles would tell of them as if they were complete.
   for (const char* file : kReportFiles) TILEMEND_RETURN_IF_ERROR(RemoveFile(absl::StrCat(path_, "/", file)));

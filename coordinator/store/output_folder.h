@@ -87,7 +87,6 @@ class OutputFolder {
   OutputFolder(std::string path, std::string key) : path_(std::move(path)), key_(std::move(key)) {}
   // Makes the folder, and locks the marker in it.
   absl::Status Lock();
-  absl::Status WriteKey();
   // Whether there is nothing in the folder that a job, run again, could know as done.
   bool IsBare() const;
 

@@ -36,13 +36,13 @@ TEST_F(WorkerTrustTest, AWorkerMayWorkWhenItHasSeenTheFolders) {
   EXPECT_TRUE(trust_.MayWorkOn("w", "j"));
   EXPECT_FALSE(trust_.MayWorkOn("other", "j"));
   EXPECT_EQ(Looks(), 0U);
-  EXPECT_EQ(trust_.blind(), 0U);
+  EXPECT_EQ(trust_.Count().blind, 0U);
 }
 
 TEST_F(WorkerTrustTest, OneThatSeesOthersIsToldOfAndAskedAgainLater) {
   EXPECT_THAT(trust_.TakeSeen("w", Seen("other"), now_).value_or(""), HasSubstr("/scene/scene.json: another file"));
   EXPECT_FALSE(trust_.MayWorkOn("w", "j"));
-  EXPECT_EQ(trust_.blind(), 1U);
+  EXPECT_EQ(trust_.Count().blind, 1U);
   EXPECT_EQ(Looks(), 0U);
   now_ += absl::Minutes(1);
   EXPECT_EQ(Looks(), 1U);
@@ -96,7 +96,7 @@ TEST_F(WorkerTrustTest, OneThatIsSetAsideGetsNothing) {
   EXPECT_FALSE(trust_.MayWorkOn("w", "j"));
   EXPECT_FALSE(trust_.MayWorkOn("w", "another"));
   EXPECT_EQ(trust_.WhySetAside("w"), "it lied");
-  EXPECT_EQ(trust_.set_aside(), 1U);
+  EXPECT_EQ(trust_.Count().set_aside, 1U);
   EXPECT_FALSE(trust_.Clear("w"));
   EXPECT_TRUE(trust_.IsBarred("w", "job"));
   trust_.RemoveWorker("w");

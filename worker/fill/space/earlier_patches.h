@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/mesh/box_tree.h"
-#include "common/records/cell_holes.h"
+#include "worker/fill/hole/local_patch.h"
 #include "worker/fill/space/patch_crossings.h"
 
 namespace tilemend {
