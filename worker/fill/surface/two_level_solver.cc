@@ -72,11 +72,14 @@ std::optional<PointValues> SolveInTwoLevels(const ThinPlateProblem& problem, con
 
   const TwoLevelPreconditioner preconditioner(equations, coarse->interpolation, factorization);
   const double least = kHeightError * MeanEdge(problem);
-  const double enough = kLeastError * kLeastError * equations.Energy(heights) +
-                        least * least * equations.Gather(equations.Diagonal()).sum();
+  const double least_error = least * least * equations.Gather(equations.Diagonal()).sum();
+  const auto enough = [&] { return kLeastError * kLeastError * equations.Energy(heights) + least_error; };
+  double limit = enough();
   PointValues residual = equations.Residual(heights), z = preconditioner.Apply(residual), direction = z;
   double error = residual.dot(z);
-  for (int i = 0; i < kMostIterations && error > enough; ++i) {
+  for (int i = 0; i < kMostIterations; ++i) {
+    // A start that is far off has a high energy, beside which all errors are small.
+    if (error <= limit && error <= (limit = enough())) break;
     const PointValues product = equations.Apply(direction);
     const double step = error / direction.dot(product);
     heights += step * direction;
@@ -86,7 +89,7 @@ std::optional<PointValues> SolveInTwoLevels(const ThinPlateProblem& problem, con
     error = residual.dot(z);
     direction = z + error / before * direction;
   }
-  if (!(error <= enough) || !heights.allFinite()) return std::nullopt;
+  if (!(error <= enough()) || !heights.allFinite()) return std::nullopt;
   return heights;
 }
 
