@@ -100,11 +100,12 @@ thread_local const TimedConnection* current_connection = nullptr;
 
 class TimedServer : public httplib::Server {
  public:
-  TimedServer(TlsContext context, ConnectionLimits limits)
+  TimedServer(TlsContext context, ConnectionLimits limits, size_t body_bytes)
       : context_(std::move(context)),
         limits_(limits),
-        room_({.time = std::min(limits.time, kMostIdle), .whole_request = context_ == nullptr},
-              [this](int fd) { pool_.Run([this, fd] { Serve(fd); }); }) {
+        room_(
+            {.time = std::min(limits.time, kMostIdle), .body_bytes = body_bytes, .whole_request = context_ == nullptr},
+            [this](int fd) { pool_.Run([this, fd] { Serve(fd); }); }) {
     new_task_queue = [this] { return new RunAtOnce([this] { Stop(); }); };
   }
   ~TimedServer() override { Stop(); }
@@ -268,7 +269,8 @@ absl::StatusOr<std::unique_ptr<HttpServer>> HttpServer::Start(const std::string&
       NewContext(impl->security),
       ConnectionLimits{.time = limits.time,
                        .time_while_others_wait = limits.read_time_while_others_wait,
-                       .write_time_while_others_wait = limits.write_time_while_others_wait});
+                       .write_time_while_others_wait = limits.write_time_while_others_wait},
+      limits.request_body_bytes);
   const size_t colon = address.rfind(':');
   std::string host = address.substr(0, colon);
   if (host.size() > 2 && host.front() == '[') host = host.substr(1, host.size() - 2);

@@ -38,11 +38,11 @@ size_t BodyLength(absl::string_view head) {
   return 0;
 }
 
-bool IsWhole(std::string_view request) {
+bool IsWhole(std::string_view request, size_t most_body) {
   const size_t end = request.find(kHeadEnd);
   if (end == std::string_view::npos) return request.size() == kMostRequest;
   const size_t length = BodyLength({request.data(), end}), there = request.size() - end - kHeadEnd.size();
-  return there >= length || length > kMostRequest - end - kHeadEnd.size();
+  return there >= length || length > most_body || request.size() == kMostRequest;
 }
 
 }  // namespace
@@ -102,7 +102,8 @@ bool WaitingRoom::IsReady(int fd) const {
   std::array<char, kMostRequest> request{};
   const ssize_t count = recv(fd, request.data(), request.size(), MSG_PEEK | MSG_DONTWAIT);
   if (count < 0) return errno != EAGAIN && errno != EINTR;
-  return count == 0 || !limits_.whole_request || IsWhole({request.data(), static_cast<size_t>(count)});
+  return count == 0 || !limits_.whole_request ||
+         IsWhole({request.data(), static_cast<size_t>(count)}, limits_.body_bytes);
 }
 
 void WaitingRoom::TakeReady(int fd) {

@@ -20,6 +20,7 @@ class WaitingRoom {
   struct Limits {
     size_t connections = 256;
     absl::Duration time = absl::Seconds(5);  // then a connection is closed
+    size_t body_bytes = 4096;                // of a body that is waited for; a longer one is refused by the head
     bool whole_request = true;               // wait for its head and its body; false (TLS): for its first byte
   };
 

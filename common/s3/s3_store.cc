@@ -111,9 +111,11 @@ class S3Store : public ObjectStore {
 
   // The answer to a HEAD has no body, and so no reason. That to a GET has.
   absl::Status WhyRefused(const S3Path& object, const std::string& path, const absl::Status& refused) {
+    TILEMEND_ASSIGN_OR_RETURN(const int file, copies_.NewFile());
     S3Request request{"GET", object};
-    request.headers = {"Range: bytes=0-0"};
+    request.to_file = file;  // if it is not refused after all
     const absl::Status status = requests_.Send(request, path).status();
+    ::close(file);
     return status.ok() ? refused : status;
   }
 

@@ -17,6 +17,7 @@
 #include "common/util/error_info.h"
 #include "common/util/files.h"
 #include "common/util/folders.h"
+#include "common/util/object_store.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "coordinator/report/report_key.h"
@@ -57,15 +58,20 @@ struct FoundOutput {
   JobIdentity identity;
 };
 
-// None if there is no output; errors of reading.
+// Whether a file may be there all the same. Other errors show when the output is claimed.
+bool MayBeThere(const std::string& folder, const absl::Status& status) {
+  return absl::IsUnavailable(status) || IsStoreError(folder, status);
+}
+
+// None if there is no output. Errors if a mount or a store fails.
 absl::StatusOr<std::optional<FoundOutput>> FindOutput(const std::string& folder) {
   // A marker without a key is of a job that has not written yet.
   const auto key = ReadFile(absl::StrCat(folder, "/", kJobMarker));
-  if (!key.ok() && !absl::IsNotFound(key.status())) return key.status();
+  if (MayBeThere(folder, key.status())) return key.status();
   if (key.ok() && !key->empty()) return FoundOutput{false, IdentityOfKey(*key)};
   const auto text = ReadFile(absl::StrCat(folder, "/", kReportFiles[0]));
-  if (absl::IsNotFound(text.status())) return std::nullopt;
-  TILEMEND_RETURN_IF_ERROR(text.status());
+  if (MayBeThere(folder, text.status())) return text.status();
+  if (!text.ok()) return std::nullopt;
   return FoundOutput{true, IdentityOfReport(*text)};
 }
 

@@ -147,8 +147,12 @@ absl::Status CheckScheme(const std::string& path, const Scene& scene) {
 }
 
 absl::Status CheckFolder(const std::string& path) {
-  TILEMEND_ASSIGN_OR_RETURN(const PathKind kind, FindKind(path));
-  if (kind == PathKind::kNothing || kind == PathKind::kFolder) return absl::OkStatus();
+  const auto kind = FindKind(path);
+  if (absl::IsInvalidArgument(kind.status())) {
+    return absl::InvalidArgumentError(absl::StrCat(std::string(kind.status().message()), "; choose another --out"));
+  }
+  TILEMEND_RETURN_IF_ERROR(kind.status());
+  if (*kind == PathKind::kNothing || *kind == PathKind::kFolder) return absl::OkStatus();
   return absl::InvalidArgumentError(absl::StrCat(path, ": the output is a file, not a folder; choose another --out"));
 }
 

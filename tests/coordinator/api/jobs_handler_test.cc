@@ -151,7 +151,8 @@ TEST_F(JobsHandlerTest, DecisionsMayBeAppliedToACompleteOutput) {
   v1::CreateJobRequest request = NewRequest();
   std::filesystem::create_directories(request.spec().out());
   std::ofstream(request.spec().out() + "/report.json") << "{}";
-  request.mutable_spec()->set_decisions("/marks.geojson");
+  request.mutable_spec()->set_decisions(cluster_.folder() / "marks.geojson");
+  std::ofstream(request.spec().decisions()) << "{}";
   const absl::Status status = calls_.jobs.CreateJob(request).status();
   EXPECT_TRUE(status.ok()) << status;
 }
