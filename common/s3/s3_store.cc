@@ -76,7 +76,7 @@ class S3Store : public ObjectStore {
     const std::string prefix = below.key.empty() ? "" : below.key + "/";
     std::vector<ObjectEntry> entries;
     bool has_any = below.key.empty();  // a bucket is there without an object, too
-    std::map<std::string, std::string> query = ListQuery(prefix);
+    std::map<std::string, std::string> query = {{"delimiter", "/"}, {"list-type", "2"}, {"prefix", prefix}};
     do {
       TILEMEND_ASSIGN_OR_RETURN(const S3Answer answer,
                                 requests_.Send({.method = "GET", .path = {below.bucket, ""}, .query = query}, folder));
@@ -91,24 +91,7 @@ class S3Store : public ObjectStore {
     return entries;
   }
 
-  absl::Status LookForFolder(const std::string& folder) override {
-    TILEMEND_ASSIGN_OR_RETURN(const S3Path below, ParseS3Path(folder));
-    if (below.key.empty()) return List(folder).status();
-    const std::string prefix = below.key + "/";
-    std::map<std::string, std::string> query = ListQuery(prefix);
-    query["max-keys"] = "1";
-    TILEMEND_ASSIGN_OR_RETURN(const S3Answer answer,
-                              requests_.Send({.method = "GET", .path = {below.bucket, ""}, .query = query}, folder));
-    TILEMEND_ASSIGN_OR_RETURN(const S3Page page, ReadListing(answer.body, prefix));
-    // The one key may be that of the folder itself, which is no entry of it.
-    return page.entries.empty() ? List(folder).status() : absl::OkStatus();
-  }
-
  private:
-  static std::map<std::string, std::string> ListQuery(const std::string& prefix) {
-    return {{"delimiter", "/"}, {"list-type", "2"}, {"prefix", prefix}};
-  }
-
   // The answer to a HEAD has no body, and so no reason. That to a GET has.
   absl::Status WhyRefused(const S3Path& object, const std::string& path, const absl::Status& refused) {
     TILEMEND_ASSIGN_OR_RETURN(const int file, copies_.NewFile());

@@ -61,7 +61,7 @@ absl::StatusOr<PathLook> LookAtObject(const std::string& path) {
   const auto look = objects->Look(path);
   if (look.ok()) return PathLook{PathKind::kFile, look->size};
   if (!absl::IsNotFound(look.status())) return look.status();
-  TILEMEND_RETURN_IF_ERROR(objects->LookForFolder(path));
+  TILEMEND_RETURN_IF_ERROR(objects->List(path).status());
   return PathLook{PathKind::kFolder, 0};
 }
 

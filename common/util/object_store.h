@@ -42,8 +42,6 @@ class ObjectStore {
   virtual absl::Status Remove(const std::string& path) = 0;
   // Sorted by name. kNotFound if no key begins so; for a whole bucket, if there is none.
   virtual absl::StatusOr<std::vector<ObjectEntry>> List(const std::string& folder) = 0;
-  // Whether there is such a folder: kNotFound as List, without its entries.
-  virtual absl::Status LookForFolder(const std::string& folder) { return List(folder).status(); }
 };
 
 bool IsObjectPath(std::string_view path);

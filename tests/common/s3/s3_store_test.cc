@@ -66,13 +66,5 @@ TEST_F(S3StoreTest, AsksWhyAHeadIsRefused) {
   EXPECT_NE(std::string(expired.message()).find("renew the credentials"), std::string::npos) << expired;
 }
 
-TEST_F(S3StoreTest, LooksForAFolderByOneKey) {
-  content_ = "<ListBucketResult><Contents><Key>out/b</Key></Contents></ListBucketResult>";
-  EXPECT_TRUE(store_->LookForFolder("s3://city/out").ok());
-  EXPECT_NE(requests_.back().target.find("max-keys=1"), std::string::npos) << requests_.back().target;
-  content_ = "<ListBucketResult/>";
-  EXPECT_TRUE(absl::IsNotFound(store_->LookForFolder("s3://city/out")));
-}
-
 }  // namespace
 }  // namespace tilemend
