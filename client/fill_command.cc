@@ -71,7 +71,7 @@ absl::StatusOr<std::vector<std::string>> WriteFilesBeside(const std::string& in,
       if (!std::filesystem::exists(there, error)) {
         carried.push_back(file);
       } else if (!HaveSameContent(absl::StrCat(FolderOf(in), "/", file), there)) {
-        // It may be another mesh's, whatever may be replaced.
+        // Another mesh may need it; --overwrite is about FILE alone.
         warnings.push_back(absl::StrCat(there,
                                         ": is another file than the input's and is left as it is, so the output "
                                         "may look wrong; choose an --out in another folder"));

@@ -239,7 +239,7 @@ bool HttpServer::Impl::Listen(const std::string& host, int wanted_port, size_t r
     return RefuseByHead(request, request_body_bytes, response) ? httplib::Server::HandlerResponse::Handled
                                                                : httplib::Server::HandlerResponse::Unhandled;
   });
-  // Bodies are small, and who waits to send one would keep a thread.
+  // A caller that waits for leave to send its body would hold a thread.
   server->set_expect_100_continue_handler([](const httplib::Request&, httplib::Response&) { return 417; });
   server->set_socket_options(AllowAddressAgain);
   const auto answer = [this](const httplib::Request& request, httplib::Response& response) {

@@ -53,8 +53,8 @@ std::vector<FieldPath> FilesOf(const JobSpec& spec) {
   return files;
 }
 
-// FILE_NOT_FOUND names the first field whose file is not there. What else is wrong with it the job tells. Without the
-// lock: a mount may hang.
+// FILE_NOT_FOUND names the first field whose file is not there. Other faults of the file are told by the job. Without
+// the lock: a mount may hang.
 absl::Status CheckFiles(const JobSpec& spec) {
   for (const auto& [field, path] : FilesOf(spec)) {
     if (!absl::IsNotFound(LookAt(path).status())) continue;

@@ -29,7 +29,7 @@ namespace {
 // Ground rasters of three rows of 80 cells of 250 m.
 constexpr size_t kMostPartBytes = size_t{32} << 20;
 
-// Of a blob over a connection that stands, some three seconds in all.
+// To send or fetch a blob while the connection stands: with the pauses between them 2.6 seconds in all.
 constexpr int kMostTries = 6;
 
 constexpr char kNotYet[] = "has not reached its coordinator yet";

@@ -24,7 +24,7 @@ constexpr size_t kTellingEdges = 8;
 constexpr double kFacesAlike = 0.2;
 // No surface is taken to rise from the rim of a hole more steeply than this.
 constexpr double kSteepestRise = 3;
-// Vertices of a piece that are asked whether they lie in a hole: more tell the same.
+// Of the vertices of a piece about so many are asked whether they lie in a hole, which bounds the cost.
 constexpr size_t kVoters = 9;
 
 // Whether the surface along a loop faces up, and the loop does not cross itself seen from above.

@@ -41,31 +41,28 @@ class WaitingRoomTest : public ::testing::Test {
       leave_.release();
     };
   }
+  // Beside a connection that says nothing.
+  void ExpectLeavesWith(const std::string& first, const std::string& rest) {
+    WaitingRoom room({}, Leave());
+    const Pair idle, asking;
+    room.Add(idle.theirs);
+    room.Add(asking.theirs);
+    asking.Say(first);
+    EXPECT_FALSE(leave_.try_acquire_for(std::chrono::milliseconds(50)));
+    asking.Say(rest);
+    leave_.acquire();
+    EXPECT_EQ(left_, asking.theirs);
+  }
   std::binary_semaphore leave_{0};
   int left_ = -1;
 };
 
 TEST_F(WaitingRoomTest, AConnectionLeavesWhenItsRequestIsThere) {
-  WaitingRoom room({}, Leave());
-  const Pair idle, asking;
-  room.Add(idle.theirs);
-  room.Add(asking.theirs);
-  asking.Say("GET / HTTP/1.1\r\nHost: x\r\n");
-  EXPECT_FALSE(leave_.try_acquire_for(std::chrono::milliseconds(50)));
-  asking.Say("\r\n");
-  leave_.acquire();
-  EXPECT_EQ(left_, asking.theirs);
+  ExpectLeavesWith("GET / HTTP/1.1\r\nHost: x\r\n", "\r\n");
 }
 
 TEST_F(WaitingRoomTest, ABodyIsWaitedForWithoutAThread) {
-  WaitingRoom room({}, Leave());
-  const Pair asking;
-  room.Add(asking.theirs);
-  asking.Say("POST / HTTP/1.1\r\ncontent-LENGTH: 4\r\n\r\nbod");
-  EXPECT_FALSE(leave_.try_acquire_for(std::chrono::milliseconds(50)));
-  asking.Say("y");
-  leave_.acquire();
-  EXPECT_EQ(left_, asking.theirs);
+  ExpectLeavesWith("POST / HTTP/1.1\r\ncontent-LENGTH: 4\r\n\r\nbod", "y");
 }
 
 TEST_F(WaitingRoomTest, ABodyThatIsTooLongIsNotWaitedFor) {
