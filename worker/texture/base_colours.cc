@@ -3,6 +3,9 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace tilemend {
@@ -12,6 +15,8 @@ constexpr double kBaseSquare = 0.5;  // metres
 constexpr double kSmooth = 0.8;      // metres
 constexpr float kShadow = 0.6F;      // of the brightness around
 constexpr int kMiddleSteps = 20;
+constexpr double kMiddleSquare = 8, kMiddleReach = 40;  // metres
+constexpr double kWeightOfAll = 1;                      // squares
 constexpr double kNearMiddle = 0.5;  // grey levels: a square on the middle itself must not hold it there
 
 // The mean of the two in the middle, of an even number.
@@ -20,6 +25,72 @@ float MedianOf(std::vector<uint8_t>& values) {
   std::nth_element(values.begin(), middle, values.end());
   if (values.size() % 2 == 1) return *middle;
   return (static_cast<float>(*middle) + static_cast<float>(*std::max_element(values.begin(), middle))) / 2;
+}
+
+Eigen::Array3d ValueOf(const Channels& c) { return {double{c[0]}, double{c[1]}, double{c[2]}}; }
+
+Channels ChannelsOf(const Eigen::Array3d& value) {
+  const Eigen::Array3f result = value.cast<float>();
+  return {result[0], result[1], result[2]};
+}
+
+struct Voter {
+  Eigen::Array3d value;
+  double weight = 0;
+};
+
+Eigen::Array3d WeightedMiddle(std::span<const Voter> voters) {
+  Eigen::Array3d middle = Eigen::Array3d::Zero();
+  for (int step = 0; step <= kMiddleSteps; ++step) {
+    Eigen::Array3d sum = Eigen::Array3d::Zero();
+    double weights = 0;
+    for (const auto& [value, own] : voters) {
+      const double weight = step == 0 ? own : own / std::max(kNearMiddle, (value - middle).matrix().norm());
+      sum += weight * value;
+      weights += weight;
+    }
+    middle = sum / weights;
+  }
+  return middle;
+}
+
+// Whether the square or one that touches it has a weight.
+bool IsWantedBeside(const SquareLattice& lattice, int32_t column, int32_t row) {
+  for (int32_t y = std::max(0, row - 1); y <= std::min(lattice.height - 1, row + 1); ++y) {
+    for (int32_t x = std::max(0, column - 1); x <= std::min(lattice.width - 1, column + 1); ++x) {
+      if (lattice.weights[lattice.At(x, y)] > 0) return true;
+    }
+  }
+  return false;
+}
+
+// The known squares within `reach` pixels of the middle of a square of another lattice; the sum of their weights.
+double CollectNear(const SquareLattice& middles, int32_t column, int32_t row, const SquareLattice& squares,
+                   double reach, std::vector<Voter>& voters) {
+  voters.clear();
+  const double x = (static_cast<double>(middles.column + column) + 0.5) * middles.pixels;
+  const double y = (static_cast<double>(middles.row + row) + 0.5) * middles.pixels;
+  const auto range = [&](double middle, int64_t first, int32_t count) {
+    const auto square = [&](double at) { return std::floor(at / squares.pixels) - static_cast<double>(first); };
+    return std::pair(static_cast<int32_t>(std::clamp(square(middle - reach), 0.0, double{1} * count)),
+                     static_cast<int32_t>(std::clamp(square(middle + reach) + 1, 0.0, double{1} * count)));
+  };
+  const auto [x0, x1] = range(x, squares.column, squares.width);
+  const auto [y0, y1] = range(y, squares.row, squares.height);
+  double sum = 0;
+  for (int32_t j = y0; j < y1; ++j) {
+    for (int32_t i = x0; i < x1; ++i) {
+      const size_t at = squares.At(i, j);
+      if (!(squares.weights[at] > 0)) continue;
+      const double dx = (static_cast<double>(squares.column + i) + 0.5) * squares.pixels - x;
+      const double dy = (static_cast<double>(squares.row + j) + 0.5) * squares.pixels - y;
+      const double inside = 1 - (dx * dx + dy * dy) / (reach * reach);
+      if (inside <= 0) continue;
+      voters.push_back({ValueOf(squares.values[at]), inside * inside});
+      sum += inside * inside;
+    }
+  }
+  return sum;
 }
 
 }  // namespace
@@ -75,22 +146,32 @@ void DropShadows(const OrthoRaster& raster, PixelMask& sources) {
 }
 
 Channels MiddleOf(const SquareLattice& squares) {
-  Eigen::Array3d middle = Eigen::Array3d::Zero();
-  for (int step = 0; step <= kMiddleSteps; ++step) {
-    Eigen::Array3d sum = Eigen::Array3d::Zero();
-    double weights = 0;
-    for (size_t i = 0; i < squares.values.size(); ++i) {
-      if (!(squares.weights[i] > 0)) continue;
-      const Channels& c = squares.values[i];
-      const Eigen::Array3d value = {double{c[0]}, double{c[1]}, double{c[2]}};
-      const double weight = step == 0 ? 1 : 1 / std::max(kNearMiddle, (value - middle).matrix().norm());
-      sum += weight * value;
-      weights += weight;
-    }
-    middle = sum / weights;
+  std::vector<Voter> voters;
+  for (size_t i = 0; i < squares.values.size(); ++i) {
+    if (squares.weights[i] > 0) voters.push_back({ValueOf(squares.values[i]), 1});
   }
-  const Eigen::Array3f result = middle.cast<float>();
-  return {result[0], result[1], result[2]};
+  return ChannelsOf(WeightedMiddle(voters));
+}
+
+SquareLattice MiddlesNear(const RasterFrame& frame, const SquareLattice& squares, const PixelMask& wanted) {
+  const Eigen::Array3d all = ValueOf(MiddleOf(squares));
+  SquareLattice middles = LatticeOver(frame, kMiddleSquare);
+  for (int32_t y = 0; y < frame.height; ++y) {
+    for (int32_t x = 0; x < frame.width; ++x) {
+      if (wanted[frame.At(x, y)] != 0) middles.weights[SquareOf(middles, frame, x, y)] = 1;
+    }
+  }
+  std::vector<Voter> voters;
+  for (int32_t row = 0; row < middles.height; ++row) {
+    for (int32_t column = 0; column < middles.width; ++column) {
+      if (!IsWantedBeside(middles, column, row)) continue;
+      const double weight = CollectNear(middles, column, row, squares, kMiddleReach / frame.texel, voters);
+      const Eigen::Array3d near = voters.empty() ? all : WeightedMiddle(voters);
+      middles.values[middles.At(column, row)] =
+          ChannelsOf((weight * near + kWeightOfAll * all) / (weight + kWeightOfAll));
+    }
+  }
+  return middles;
 }
 
 }  // namespace tilemend

@@ -23,6 +23,13 @@ void DropShadows(const OrthoRaster& raster, PixelMask& sources);
 // 1937). Half of them may be anything. Precondition: one is known. Cost: linear.
 Channels MiddleOf(const SquareLattice& squares);
 
+// For squares of 8 m, the geometric median of the known ones of `squares` within 40 m of their middles. Weights fall
+// from 1 to 0 with the distance (biweight). The median of all counts as much as one square at the
+// place itself. So where some are near, two rasters that hold the same surface within 46 m of a place give it the same
+// colour, to a tenth of a grey level. Squares that are not needed to interpolate at pixels of `wanted` may stay 0.
+// Precondition: one is known. Cost: known squares within 40 m, times squares of 8 m.
+SquareLattice MiddlesNear(const RasterFrame& frame, const SquareLattice& squares, const PixelMask& wanted);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_WORKER_TEXTURE_BASE_COLOURS_H_

@@ -85,11 +85,18 @@ class LayerMaker {
     }
   }
 
-  // One colour for all, that of most of the rim; the fallback if the rim has no source.
+  // The colour of most of the rim near by; the fallback if the rim has no source.
   void SetBase(Rgb fallback) {
     const SquareLattice squares = MedianSquares(raster_, beside_);
     const bool is_known = std::any_of(squares.weights.begin(), squares.weights.end(), [](float w) { return w > 0; });
-    colours_.assign(make_.size(), is_known ? MiddleOf(squares) : ChannelsOf(fallback));
+    colours_.assign(make_.size(), ChannelsOf(fallback));
+    if (!is_known) return;
+    const SquareLattice middles = MiddlesNear(frame_, squares, rim_);
+    for (int32_t y = 0; y < frame_.height; ++y) {
+      for (int32_t x = 0; x < frame_.width; ++x) {
+        if (const size_t at = frame_.At(x, y); rim_[at] != 0) colours_[at] = ValueAt(middles, frame_, x, y);
+      }
+    }
   }
 
   // How high the fill is, and would be beside it.

@@ -39,8 +39,8 @@ inline constexpr int64_t kBytesPerPixel = 64;
 
 // The raster's colours, those of kGround and kWater made anew. Pixels without surface or fill have that of the nearest
 // one in their row, or else column.
-//  - Base: the geometric median of the surface up to 3 m beside the hole that is within 0.4 m of the fill's height (of
-//    water: within 0.6 m of the level), by medians of squares of 0.5 m (base_colours.h).
+//  - Base: the geometric median of the surface up to 40 m away and at most 3 m beside the hole that is within 0.4 m of
+//    the fill's height (of water: within 0.6 m of the level), by medians of squares of 0.5 m (base_colours.h).
 //  - Lanes and kerbs: along the direction of the structure around, where there is one (streamlines.h). Sources are
 //    pixels at most 0.4 m above an opening of 20 m and within 1 m of the fill's height, 0.5 m away from the fill and
 //    from objects, and no shadows.
