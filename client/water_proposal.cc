@@ -10,6 +10,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "common/gis/geo_package.h"
+#include "common/mesh/polygon_index.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "coordinator/report/scene_geojson.h"
@@ -25,14 +26,14 @@ constexpr char kGeoJson[] = ".geojson";
 constexpr char kLayer[] = "water";
 
 // Takes out what does not lie in the area: a polygon with `clear` across its edge would be refused.
-void KeepInside(const PlanePolygon& area, GroundRaster& raster) {
+void KeepInside(const PolygonIndex& area, GroundRaster& raster) {
   constexpr double kMargin = 0.05;  // metres, so that no square touches the edge
   for (int32_t row = raster.row; row < raster.row + raster.rows; ++row) {
     for (int32_t col = raster.col; col < raster.col + raster.cols; ++col) {
       const Point2 low = Point2(col, row) * raster.square - Point2::Constant(kMargin);
       const Point2 high = Point2(col + 1, row + 1) * raster.square + Point2::Constant(kMargin);
-      const bool inside = Contains(area, low) && Contains(area, high) && Contains(area, {low.x(), high.y()}) &&
-                          Contains(area, {high.x(), low.y()});
+      const bool inside = area.Contains(low) && area.Contains(high) && area.Contains({low.x(), high.y()}) &&
+                          area.Contains({high.x(), low.y()});
       if (!inside) raster.heights[raster.IndexOf(col, row)] = std::numeric_limits<float>::quiet_NaN();
     }
   }
@@ -45,7 +46,8 @@ std::vector<ProposedSurface> SurfacesOf(const SceneWaves& waves) {
   }
   const PlanePolygon& area = waves.scene().area;
   if (!area.empty()) {
-    for (GroundRaster& raster : rasters) KeepInside(area, raster);
+    const PolygonIndex index(area);
+    for (GroundRaster& raster : rasters) KeepInside(index, raster);
   }
   std::vector<ProposedSurface> surfaces;
   for (LowRegion& region : FindWaterSurfaces(rasters)) {

@@ -11,8 +11,9 @@
 
 namespace tilemend {
 
-// The level, low, large regions of the ground of all rasters together (level_regions.h). Precondition: squares of one
-// size. Cost of both over the extent of all: some 3 s and 100 MB for 1 km2.
+// The level, low, large regions of the ground of all rasters together (level_regions.h), the largest first.
+// Precondition: squares of one size. Cost over the extent of all, without gaps of more than kGroundReach: some 3 s and
+// 100 MB for 1 km2.
 std::vector<LowRegion> FindWaterSurfaces(std::span<const GroundRaster> rasters, const GroundFilterOptions& ground = {},
                                          const LevelRegionOptions& options = {});
 

@@ -34,6 +34,14 @@ TEST(FindWaterSurfacesTest, ACanalIsFoundHoweverTheSceneIsCut) {
   EXPECT_EQ(cut[0].outline.rings, whole[0].outline.rings);
 }
 
+TEST(FindWaterSurfacesTest, CanalsFarApartAreFoundEachByItself) {
+  const std::vector<GroundRaster> far = {Canal(2000000, 50), Canal(0, 100)};  // one raster of both: 640 MB
+  const std::vector<LowRegion> both = FindWaterSurfaces(far);
+  ASSERT_THAT(both, SizeIs(2));
+  EXPECT_NEAR(both[0].area, 1500, 10);
+  EXPECT_NEAR(both[1].area, 750, 10);
+}
+
 TEST(FindWaterSurfacesTest, WithoutSurfaceThereIsNone) { EXPECT_THAT(FindWaterSurfaces({}), SizeIs(0)); }
 
 }  // namespace
