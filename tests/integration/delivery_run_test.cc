@@ -137,6 +137,16 @@ TEST_F(DeliveryRunTest, APartOfAHoleMayEndAtThePartThatWasLeft) {
   EXPECT_EQ(Tilemend({"check", folder_ / "lake", folder_ / "lake_out"}).code, 100) << "the fill is gone";
 }
 
+TEST_F(DeliveryRunTest, AnAreaInsideAHoleHasNoHeight) {
+  folder_.Write("lake/Tile_+000_+000.obj", TileFrom(0, [](int column, int row) { return column > 2 && row > 2; }));
+  folder_.Write("lake/Tile_+001_+000.obj", TileFrom(10, [](int column, int row) { return column < 7 && row > 2; }));
+  const std::string area = folder_.Write(
+      "area.geojson", R"({"type": "Polygon", "coordinates": [[[6, 5], [14, 5], [14, 8], [6, 8], [6, 5]]]})");
+  EXPECT_EQ(Tilemend({"run", folder_ / "lake", "--out", folder_ / "lake_out", "--area", area}).code, 100);
+  EXPECT_THAT(Read("lake_out/report.json"), HasSubstr("nothing tells its height"));
+  EXPECT_EQ(Read("lake_out/Tile_+000_+000.obj"), Read("lake/Tile_+000_+000.obj"));
+}
+
 TEST_F(DeliveryRunTest, AFilledTriangleTwiceIsNonManifold) {
   const std::string text = Read(kTile);
   const size_t at = text.rfind("\nf ");
