@@ -3,7 +3,7 @@
 
 mkdir -p gen && protoc -I proto --python_out=gen --grpc_out=gen --plugin=protoc-gen-grpc=$(which grpc_python_plugin) \
   proto/tilemend/v1/*.proto, then PYTHONPATH=gen. Debian: protobuf-compiler-grpc, python3-grpcio, python3-protobuf.
-It speaks plain text. For TLS change the line with `insecure_channel`, as its comment says.
+It speaks plain text. For TLS change the line with `insecure_channel`, as the comment there says.
 """
 import json
 import sys
@@ -13,7 +13,8 @@ import grpc
 from tilemend.v1 import job_spec_pb2, jobs_pb2, jobs_pb2_grpc
 
 address, scene, out = sys.argv[1:]
-channel = grpc.insecure_channel(address)  # TLS: grpc.secure_channel(address, grpc.ssl_channel_credentials(ca, key, cert))
+# With TLS: grpc.secure_channel(address, grpc.ssl_channel_credentials(ca, key, cert)), with the bytes of these files.
+channel = grpc.insecure_channel(address)
 jobs = jobs_pb2_grpc.JobsStub(channel)
 spec = job_spec_pb2.JobSpec(scene=scene, out=out)
 job = jobs.CreateJob(jobs_pb2.CreateJobRequest(spec=spec, request_id=str(uuid.uuid4())))
