@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -135,7 +136,36 @@ class ObjReader {
       textures_->runs.push_back({first, NumberOf(RestOfLine(p), materials_, textures_->materials)});
     } else if (word == "mtllib") {
       NumberOf(RestOfLine(p), libraries_, textures_->libraries);
+    } else if (word == "g") {
+      const bool is_filled = RestOfLine(p) == kFilledGroup;
+      textures_->groups.push_back({static_cast<int32_t>(file_.mesh.triangles.size()), is_filled});
     }
+  }
+
+  // Of the vertex whose coordinates were read: three numbers from 0 to 1. One number more is a weight.
+  void NoteVertexColour() {
+    const std::optional<Rgb> colour = ColourAt(p_);
+    std::vector<std::optional<Rgb>>& colours = textures_->vertex_colours;
+    if (!colour && colours.empty()) return;
+    colours.resize(file_.mesh.points.size() - 1);  // vertices before the first colour have none
+    colours.push_back(colour);
+  }
+
+  std::optional<Rgb> ColourAt(const char* p) const {
+    const auto skip_blanks = [&] {
+      while (p < end_ && IsSpace(*p) && *p != newline_) ++p;
+    };
+    std::array<uint8_t, 3> channels{};
+    for (uint8_t& channel : channels) {
+      skip_blanks();
+      const ParsedDouble number = ParseDoubleAt(p, end_);
+      if (number.stop == nullptr || !std::isfinite(number.value)) return std::nullopt;
+      channel = static_cast<uint8_t>(std::lround(255 * std::clamp(number.value, 0.0, 1.0)));
+      p = number.stop;
+    }
+    skip_blanks();
+    if (p < end_ && *p != newline_ && *p != '#') return std::nullopt;
+    return Rgb{channels[0], channels[1], channels[2]};
   }
 
   std::array<float, 2> CoordinatesAt(const char* p) const {
@@ -182,6 +212,7 @@ class ObjReader {
     }
     file_.mesh.points.push_back(point);
     if (vertex_tails_ != nullptr) vertex_tails_->push_back(Offset());
+    if (textures_ != nullptr) NoteVertexColour();
     return absl::OkStatus();
   }
 
@@ -274,7 +305,7 @@ void AppendFaces(const FilePatch& patch, size_t places, std::string_view eol, st
     out += eol;
   }
   if (!patch.library.empty()) ((out += "mtllib ") += patch.library) += eol;
-  (out += "g tilemend_filled") += eol;
+  ((out += "g ") += kFilledGroup) += eol;
   auto run = patch.materials.begin();
   for (size_t k = 0; k < patch.triangles.size(); ++k) {
     for (; run != patch.materials.end() && run->first <= static_cast<int64_t>(k); ++run) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <span>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -305,6 +306,22 @@ absl::StatusOr<MeshFile> ReadPlyBody(std::string_view bytes, const PlyHeader& he
   TILEMEND_RETURN_IF_ERROR(ascii ? BodyReader<AsciiSource>(bytes, header, name, file, records, visit).Read()
                                  : BodyReader<BinarySource>(bytes, header, name, file, records, visit).Read());
   return file;
+}
+
+absl::StatusOr<std::vector<size_t>> PlyFaceBegins(std::string_view bytes, const PlyHeader& header,
+                                                  const PlyRecords& records, const std::string& name) {
+  const size_t first = header.face == 0 ? header.body_begin : records.element_ends[header.face - 1];
+  const auto begin_of = [&](size_t place) {
+    if (records.face_bytes > 0) return place - (place - first) % records.face_bytes;
+    const auto end = std::upper_bound(records.face_ends.begin(), records.face_ends.end(), place);
+    return end == records.face_ends.begin() ? first : *(end - 1);
+  };
+  std::vector<size_t> begins;
+  const FaceVisitor visit = [&](size_t, std::span<const TextRange> corners, std::span<const Triangle> triangles) {
+    begins.insert(begins.end(), triangles.size(), begin_of(corners.front().begin));
+  };
+  TILEMEND_RETURN_IF_ERROR(ReadPlyBody(bytes, header, name, nullptr, visit).status());
+  return begins;
 }
 
 absl::StatusOr<MeshFile> ParsePly(std::string_view bytes, const std::string& name, const FaceVisitor& visit) {

@@ -29,6 +29,10 @@ absl::StatusOr<MeshFile> ParsePly(std::string_view bytes, const std::string& nam
 absl::StatusOr<MeshFile> ReadPlyBody(std::string_view bytes, const PlyHeader& header, const std::string& name,
                                      PlyRecords* records, const FaceVisitor& visit = {});
 
+// Where the record of each triangle's face begins. `records` are those of the file. Errors of ParsePly. Linear.
+absl::StatusOr<std::vector<size_t>> PlyFaceBegins(std::string_view bytes, const PlyHeader& header,
+                                                  const PlyRecords& records, const std::string& name);
+
 // `bytes` with the patch: see mesh_file.h. Indices that the file's type for them cannot hold (a ushort list, 70,000
 // vertices) widen that type to int in the output.
 absl::StatusOr<std::string> AppendToPly(std::string_view bytes, const FilePatch& patch, const std::string& name);

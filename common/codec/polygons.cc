@@ -80,6 +80,9 @@ absl::Status CheckPatch(const FilePatch& patch, size_t vertex_count, const std::
   }
   const size_t total = vertex_count + patch.new_points.size();
   if (total > static_cast<size_t>(std::numeric_limits<int32_t>::max())) return invalid(total, " vertices are too many");
+  if (!patch.cut_from.empty() && patch.cut_from.size() != patch.triangles.size()) {
+    return invalid(patch.triangles.size(), " triangles but ", patch.cut_from.size(), " that they were cut from");
+  }
   for (const int32_t model : patch.like) {
     if (model < -1 || model >= static_cast<int64_t>(vertex_count)) return invalid("no vertex ", model, " to be like");
   }
