@@ -20,6 +20,7 @@ _FIRST_PAUSE_S = 0.2
 _LONGEST_PAUSE_S = 2.0
 _CONNECTED_S = 30.0  # a call without an answer that lasts so long had a connection; a job may not change for hours
 _RECONNECT_S = 600.0  # as `tilemend watch`
+_LONGEST_CALL_S = 1e9  # gRPC counts time in 64 bits, as nanoseconds since 1970, which end at 9.2e9 s
 _LOST = (grpc.StatusCode.UNAVAILABLE, grpc.StatusCode.RESOURCE_EXHAUSTED)
 # As the programs have: a lost machine is noticed within half a minute, and one that is back within a second.
 _CHANNEL_OPTIONS = (('grpc.keepalive_time_ms', 20000), ('grpc.keepalive_timeout_ms', 10000),
@@ -125,11 +126,12 @@ class Client(Submitter):
                 raise _closed() from None
             except grpc.RpcError as error:
                 now = time.monotonic()
-                if end is not None and (now >= end or error.code() == grpc.StatusCode.DEADLINE_EXCEEDED):
+                if end is not None and now >= end:
                     raise _timed_out(name) from None
                 if give_up is None or now - begun > _CONNECTED_S:
                     give_up = now + patience
-                if error.code() not in _LOST or now + pause > give_up:
+                is_lost = error.code() in _LOST or end is not None and error.code() == grpc.StatusCode.DEADLINE_EXCEEDED
+                if not is_lost or now + pause > give_up:
                     raise _error(error) from None
             time.sleep(pause if end is None else max(0.0, min(pause, end - time.monotonic())))
             pause = min(2 * pause, _LONGEST_PAUSE_S)
@@ -229,7 +231,7 @@ def _closed() -> Error:
 
 
 def _seconds_to(end: Optional[float]) -> Optional[float]:
-    return None if end is None else max(0.0, end - time.monotonic())
+    return None if end is None else min(max(0.0, end - time.monotonic()), _LONGEST_CALL_S)
 
 
 def _timed_out(name: str) -> Error:

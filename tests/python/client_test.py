@@ -235,6 +235,9 @@ class CallsTest(unittest.TestCase):
         coordinator = Coordinator(self)
         with tilemend.Client(coordinator.address) as client:
             self.assertEqual([job.state for job in client.watch('a', patience=1)], ['RUNNING', 'DONE'])
+        for timeout in (60, 1e10, float('inf')):
+            with tilemend.Client(Coordinator(self).address) as client:
+                self.assertEqual(client.wait('a', timeout=timeout).state, 'DONE')
 
     def test_a_wait_ends_in_time_while_the_connection_is_lost(self):
         coordinator = Coordinator(self)
