@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "absl/hash/hash.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "common/codec/polygons.h"
@@ -182,7 +183,15 @@ class ObjReader {
     }
     file_.mesh.points.push_back(point);
     if (vertex_tails_ != nullptr) vertex_tails_->push_back(Offset());
+    if (textures_ != nullptr) ReadFurtherColumns();
     return absl::OkStatus();
+  }
+
+  void ReadFurtherColumns() {
+    SkipBlanks();
+    if (AtStatementEnd()) return;
+    textures_->vertex_columns.resize(file_.mesh.points.size());
+    textures_->vertex_columns.back() = absl::HashOf(FurtherColumns(bytes_.substr(Offset()), newline_, false));
   }
 
   absl::Status ReadFace() {

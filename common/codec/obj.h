@@ -28,6 +28,8 @@ struct ObjTextures {
   std::vector<Run> runs;               // triangles before the first have no material
   std::vector<std::array<float, 2>> coordinates;  // of `vt`; NaN where they are no numbers
   std::vector<Triangle> corners;                  // of each triangle, into `coordinates`; -1: none
+  // Of each vertex up to the last that has any: a digest of its columns after x y z (a colour or weight); 0 without.
+  std::vector<uint64_t> vertex_columns;
 };
 
 struct ObjFile {
@@ -40,7 +42,8 @@ struct ObjFile {
 absl::StatusOr<MeshFile> ParseObj(std::string_view bytes, const std::string& name, const FaceVisitor& visit = {},
                                   NoFaces no_faces = NoFaces::kRefuse);
 
-// The same with materials and texture coordinates: 8 bytes for each `vt`, 12 for each triangle more.
+// The same with materials, texture coordinates and further columns of vertices: 8 bytes for each `vt` and each vertex
+// with such columns, 12 for each triangle more.
 absl::StatusOr<ObjFile> ParseTexturedObj(std::string_view bytes, const std::string& name,
                                          NoFaces no_faces = NoFaces::kRefuse);
 
