@@ -236,6 +236,17 @@ TEST_F(CommandTest, ReportShowsTheReportOfAnOutput) {
   EXPECT_EQ(Run({"report", folder_ / "out"}).code, 4);
 }
 
+TEST_F(CommandTest, ReportMakesThePageOfReportJsonAlone) {
+  for (const char* name : {"out/report.json", "out/old.json"}) {
+    ASSERT_TRUE(WriteFileAtomically(folder_ / name, R"({"version": "0.1.0", "cells": 4})").ok());
+  }
+  EXPECT_EQ(Run({"report", folder_ / "out/old.json"}).code, 0);
+  const Ended ended = Run({"report", folder_ / "out/old.json", "--html"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("old.json; give the folder, or leave --html out"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/report.html"));
+}
+
 // A cluster of processes: the programs as they are installed, but for the geometry.
 class ClusterCommandTest : public CommandTest {
  protected:
