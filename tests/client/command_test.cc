@@ -316,7 +316,8 @@ TEST_F(ClusterCommandTest, JobsArePausedResumedAndPrioritized) {
   EXPECT_EQ(RunWith({"resume", job["name"]}).code, 0);
   EXPECT_FALSE(cluster_->Get(job["name"]).paused());
   EXPECT_EQ(nlohmann::json::parse(RunWith({"prioritize", job["name"], "9", "-o", "json"}).out)["priority"], 9);
-  EXPECT_EQ(RunWith({"prioritize", job["name"], "101"}).code, 4);
+  EXPECT_EQ(RunWith({"prioritize", job["name"], "101"}).code, 2);
+  EXPECT_EQ(RunWith({"submit", "toy://2x2", "--out", folder_ / "high", "--priority", "-101"}).code, 2);
   EXPECT_EQ(RunWith({"prioritize", job["name"], "high"}).code, 2);
 }
 
