@@ -215,14 +215,18 @@ TEST_F(CommandTest, WhatIsPrintedOfAReportIsPrintable) {
 
 TEST_F(CommandTest, WhatCannotBePrintedIsAnError) {
   ASSERT_TRUE(WriteFileAtomically(folder_ / "out/report.json", R"({"version": "0.1.0", "cells": 4})").ok());
-  const auto run_in_shell = [&](const std::string& redirection) {
-    const std::string words = absl::StrCat(TOY_CLIENT, " report ", folder_ / "out", " ", redirection);
-    return Process(folder_.path().string(), "/bin/sh", {"-c", words}).Wait();
+  const auto run_in_shell = [&](const std::string& words, const char* redirection) {
+    return Process(folder_.path().string(), "/bin/sh", {"-c", absl::StrCat(TOY_CLIENT, " ", words, redirection)})
+        .Wait();
   };
-  const Ended full = run_in_shell("> /dev/full");
-  EXPECT_EQ(full.code, 5);
-  EXPECT_THAT(full.err, HasSubstr("standard output: cannot write"));
-  EXPECT_EQ(run_in_shell(">&-").code, 0);
+  const std::string report = absl::StrCat("report ", folder_ / "out");
+  for (const std::string& words : {report, std::string("--version"), std::string("--help"), std::string("help run")}) {
+    const Ended full = run_in_shell(words, " > /dev/full");
+    EXPECT_EQ(full.code, 5) << words;
+    EXPECT_THAT(full.err, HasSubstr("standard output: cannot write")) << words;
+  }
+  EXPECT_NE(run_in_shell("--describe bash", " > /dev/full").code, 0);
+  EXPECT_EQ(run_in_shell(report, " >&-").code, 0);
 }
 
 TEST_F(CommandTest, ReportShowsTheReportOfAnOutput) {
