@@ -38,7 +38,8 @@ struct ObjFile {
 };
 
 // Reads `v` and `f` statements; texture and normal indices are checked for form only, further statements are skipped.
-// Positive indices may name vertices that come later in the file. Linear in `bytes`.
+// Positive indices may name vertices that come later in the file; if those of a polygon do, it is read twice. Linear in
+// `bytes`.
 absl::StatusOr<MeshFile> ParseObj(std::string_view bytes, const std::string& name, const FaceVisitor& visit = {},
                                   NoFaces no_faces = NoFaces::kRefuse);
 
