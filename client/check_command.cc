@@ -74,8 +74,8 @@ struct Findings {
   OutputTiles tiles;                // of an output
 };
 
-absl::Status CheckFile(const std::string& path, const CheckLimits& limits, Findings& all) {
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(path));
+absl::Status CheckFile(const std::string& path, const TileFrame& frame, const CheckLimits& limits, Findings& all) {
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(path, frame));
   all.triangles += std::ssize(file.mesh.triangles);
   if (file.bytes_after_end > 0) all.longer.push_back(path);
   for (const auto& [defect, finding] : FindDefects(file.mesh, limits)) {
@@ -283,7 +283,7 @@ int Finish(const std::string& path, const Limits& limits, const Findings& all, c
 
 int CheckMesh(const std::string& path, const Limits& limits, OutputFormat format) {
   Findings all;
-  if (const absl::Status status = CheckFile(path, limits.mesh, all); !status.ok()) return PrintError(status);
+  if (const absl::Status status = CheckFile(path, {}, limits.mesh, all); !status.ok()) return PrintError(status);
   const auto file = ReadMeshFile(path);
   if (!file.ok()) return PrintError(file.status());
   WaveOptions options;
@@ -307,7 +307,8 @@ int CheckScene(const std::string& path, const Limits& limits, OutputFormat forma
   for (const SceneTile& tile : inspection.waves->scene().tiles) {
     if (tile.path.empty()) continue;
     const std::string file = absl::StrCat(inspection.waves->scene().root, "/", tile.path);
-    if (const absl::Status status = CheckFile(file, limits.mesh, all); !status.ok()) return PrintError(status);
+    const absl::Status status = CheckFile(file, tile.frame, limits.mesh, all);
+    if (!status.ok()) return PrintError(status);
   }
   return Finish(path, limits, all, inspection.waves->plan(), format);
 }

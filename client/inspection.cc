@@ -39,7 +39,7 @@ std::string PathOf(const Scene& scene, const SceneTile& tile) {
 }
 
 absl::StatusOr<Looked> Look(const Scene& scene, const MeasureWork& work) {
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(PathOf(scene, *work.tile)));
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(PathOf(scene, *work.tile), work.tile->frame));
   Looked looked;
   for (const PlanePolygon& polygon : work.polygons) looked.tallies.push_back(TallyHeights(file.mesh, polygon));
   return looked;

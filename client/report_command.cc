@@ -25,6 +25,11 @@ int ReportCommand(const Args& args) {
   if (!format.ok()) return PrintUsageError(format.status());
   std::filesystem::path path = args.arguments().front();
   if (path.extension() != ".json") path /= "report.json";
+  if (args.Switch("html") && path.filename() != "report.json") {
+    return PrintUsageError(absl::InvalidArgumentError(
+        absl::StrCat("report: --html makes the page of the report.json in an output's folder, not of ", path.string(),
+                     "; give the folder, or leave --html out")));
+  }
   const auto content = ReadFile(path.string());
   const auto finished = path.filename() == "report.json" ? CheckFinished(path.parent_path()) : absl::OkStatus();
   if (!finished.ok()) return PrintError(finished);

@@ -41,6 +41,8 @@ struct ObjTextures {
   };
   std::vector<GroupRun> groups = {};                    // triangles before the first are in others
   std::vector<std::optional<Rgb>> vertex_colours = {};  // after the coordinates of `v`; empty: no vertex has one
+  // Of each vertex up to the last that has any: a digest of its columns after x y z (a colour or weight); 0 without.
+  std::vector<uint64_t> vertex_columns;
 };
 
 struct ObjFile {
@@ -49,12 +51,13 @@ struct ObjFile {
 };
 
 // Reads `v` and `f` statements; texture and normal indices are checked for form only, further statements are skipped.
-// Positive indices may name vertices that come later in the file. Linear in `bytes`.
+// Positive indices may name vertices that come later in the file; if those of a polygon do, it is read twice. Linear in
+// `bytes`.
 absl::StatusOr<MeshFile> ParseObj(std::string_view bytes, const std::string& name, const FaceVisitor& visit = {},
                                   NoFaces no_faces = NoFaces::kRefuse);
 
-// The same with materials, texture coordinates and colours: 8 bytes for each `vt`, 12 for each triangle and, if
-// vertices have colours, 4 for each vertex more.
+// The same with materials, texture coordinates, colours and further columns of vertices: 8 bytes for each `vt`, 12 for
+// each vertex with such columns, 12 for each triangle more.
 absl::StatusOr<ObjFile> ParseTexturedObj(std::string_view bytes, const std::string& name,
                                          NoFaces no_faces = NoFaces::kRefuse);
 

@@ -21,7 +21,8 @@ struct PlyRecords {
   std::vector<size_t> face_ends;     // per face: just after it
 };
 
-// Reads the positions and faces; every further property and element may be anything that the header can say.
+// Reads the positions and faces; every further property and element may be anything that the header can say. A file
+// whose faces stand before its vertices is read twice.
 absl::StatusOr<MeshFile> ParsePly(std::string_view bytes, const std::string& name, const FaceVisitor& visit = {});
 
 // The same with a header that was read already. With `records` these are filled, and everything is checked, but the

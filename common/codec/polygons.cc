@@ -28,18 +28,19 @@ bool HasRepeatedCorner(const std::vector<int32_t>& corners) {
 
 }  // namespace
 
-void AddPolygon(const std::vector<int32_t>& corners, MeshFile& file, std::vector<Triangle>& cut) {
+void AddPolygon(const std::vector<int32_t>& corners, MeshFile& file, std::vector<Triangle>& cut,
+                std::span<const Point3> all) {
   cut.clear();
   if (corners.size() > 3) ++file.polygon_count;
   if (corners.size() < 3 || HasRepeatedCorner(corners)) return;
-  CutPolygon(corners, file.mesh.points, cut);
+  CutPolygon(corners, all.empty() ? std::span<const Point3>(file.mesh.points) : all, cut);
   for (const Triangle& t : cut) file.mesh.triangles.push_back({corners[t[0]], corners[t[1]], corners[t[2]]});
 }
 
 void AddPolygon(const std::vector<int32_t>& corners, std::span<const TextRange> places, const FaceVisitor& visit,
-                MeshFile& file, std::vector<Triangle>& cut) {
+                MeshFile& file, std::vector<Triangle>& cut, std::span<const Point3> all) {
   const size_t first = file.mesh.triangles.size();
-  AddPolygon(corners, file, cut);
+  AddPolygon(corners, file, cut, all);
   if (visit && !cut.empty()) visit(first, places, cut);
 }
 

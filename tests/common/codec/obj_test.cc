@@ -55,6 +55,24 @@ TEST(ObjTest, FansPolygonsAndSkipsFacesWithoutSurface) {
   EXPECT_EQ(file->polygon_count, 2);
 }
 
+TEST(ObjTest, CutsAPolygonThatStandsBeforeItsVertices) {
+  const std::string vertices = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 3 1 0\n", face = "f 1/1 2/2 3/3 4/4\n";  // an arrowhead
+  const auto usual = Parse(vertices + face);
+  ASSERT_TRUE(usual.ok()) << usual.status();
+  for (const Triangle& t : usual->mesh.triangles) EXPECT_THAT(t, ::testing::Not(::testing::IsSupersetOf({0, 2})));
+  for (const std::string& text : {face + vertices, "v 0 0 0\n" + face + "v 4 0 0\nv 4 4 0\nv 3 1 0\n"}) {
+    const auto file = Parse(text);
+    ASSERT_TRUE(file.ok()) << file.status();
+    EXPECT_EQ(file->mesh.triangles, usual->mesh.triangles);
+    EXPECT_EQ(file->mesh.points, usual->mesh.points);
+    const auto textured = ParseTexturedObj(text, "a.obj");
+    ASSERT_TRUE(textured.ok()) << textured.status();
+    EXPECT_EQ(textured->textures.corners.size(), 2U);
+  }
+  EXPECT_THAT(MessageOf("f 1 2 3 4\nv 0 0 0\nv 1 0 0\n"), HasSubstr("line 1: expected a vertex index of at most 2"));
+  EXPECT_THAT(MessageOf("f 1 2 3 4\n"), HasSubstr("no vertices"));
+}
+
 TEST(ObjTest, JoinsContinuedLinesButNotComments) {
   const auto file =
       Parse("# C:\\models\\\nv 0 0 \\\n 0\nv 1 0 0 # here \\\r\nv 0 1 0\r\ng a \\\r\n f 9 9 9\nf 1 \\\r\n2 3");
