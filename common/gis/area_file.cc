@@ -319,7 +319,7 @@ absl::StatusOr<WaterFile> ParseDecisionFile(const VectorBytes& bytes, const std:
     area.label = absl::StrCat(f.label, " of --decisions", f.hole ? absl::StrCat(" (hole ", *f.hole, ")") : "");
     area.decision = f.decision;
   }
-  if (file.areas.empty()) file.warnings.push_back(absl::StrCat(name, ": holds no decision, so it has no effect"));
+  if (file.areas.empty()) file.warnings.push_back(absl::StrCat(name, ": holds no decision"));
   KeepFirst(kMostWarnings, name, file.warnings);
   return file;
 }

@@ -94,7 +94,8 @@ struct VectorFile {
 //
 // Errors: bytes of no such format, a geometry that cannot be read, a ring with fewer than four positions or not
 // closed. A coordinate that is no number or ends up beyond 1e9 m. A property of another type or value. A CRS that is
-// not known. Coordinates that cannot be those of this scene (also: that would be, with x and y exchanged).
+// not known. Coordinates that cannot be those of this scene (also: that would be, with x and y exchanged). For
+// kDecisions: features of which none is a decision.
 VectorFile ReadVectors(const VectorRequest& request);
 
 // What is wrong with the CRS of a scene, for people; "" if nothing is, or there is none.

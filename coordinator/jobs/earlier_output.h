@@ -3,6 +3,7 @@
 #define TILEMEND_COORDINATOR_JOBS_EARLIER_OUTPUT_H_
 
 #include <string>
+#include <vector>
 
 #include "absl/status/statusor.h"
 #include "coordinator/jobs/job_pipeline.h"
@@ -18,6 +19,10 @@ std::string OutputKey(const std::string& scene_key);
 // output is of the same scene and options, as its report's `key` says. kAlreadyExists (OUTPUT_EXISTS) for decisions on
 // the output of another scene or other options. Cost: reads the report if there are decisions.
 absl::StatusOr<bool> MayReplace(const JobSpec& spec, const std::string& key);
+
+// "decisions.geojson: the decisions of the last run on 4 holes are undone", if the spec names decisions,
+// `areas` have none, and the report in the output folder has some; else "". Cost: reads the report.
+std::string UndoneDecisions(const JobSpec& spec, const std::vector<WaterArea>& areas);
 
 // A job with the cells that its output has then.
 struct JobOnOutput {

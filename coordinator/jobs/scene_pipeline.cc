@@ -187,7 +187,11 @@ class ScenePipeline : public JobPipeline {
         output_(std::move(output)),
         verification_(verified, output_ ? output_->path() : "", scratch),
         waves_(std::move(scene), OptionsFor(std::move(chosen), std::move(water)),
-               [this](std::string_view step) { steps_.End(step, waves_); }),
+               [this](std::string_view step) {
+                 steps_.End(step, waves_);
+                 if (step == "survey")
+                   levels_ = CheckLevels(waves_.options().plan.water.areas, waves_.survey().records());
+               }),
         tasks_(spec_, waves_, output_ ? &*output_ : nullptr, std::move(scratch)) {
     steps_.sight = std::make_shared<SceneSight>(waves_.scene());
   }
@@ -302,6 +306,7 @@ class ScenePipeline : public JobPipeline {
     size_t bytes = 0;
     while (bytes < kEnoughBytes && tasks.size() < kEnoughTasks && tasks_out_ < kMostTasksOut) {
       std::optional<SceneWork> next = waves_.Next();
+      TILEMEND_RETURN_IF_ERROR(levels_);
       if (!next) break;
       if (end_.is_cancelled()) return absl::CancelledError("the job was cancelled");
       if (std::holds_alternative<AssembleWork>(*next) && !std::exchange(writing_, true)) {
@@ -395,6 +400,7 @@ class ScenePipeline : public JobPipeline {
   bool writing_ = false;
   OutputEnd end_;
   Steps steps_;
+  absl::Status levels_;  // that areas give: known when the surface is
   SceneWaves waves_;
   SceneTasks tasks_;
   ResultLog::Opening opening_ = ResultLog::Opening::kNewJob;
@@ -416,6 +422,8 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
   TILEMEND_RETURN_IF_ERROR(AddDecisions(spec.decisions(), FrameOf(scene), water, stop));
   water.options.profile = *WaterProfileNamed(spec.water_profile());
   for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));
+  std::string undone = UndoneDecisions(spec, water.options.areas);
+  if (!undone.empty()) scene.warnings.push_back(std::move(undone));
   TILEMEND_ASSIGN_OR_RETURN(JobOnOutput job, OnOutput(spec, water, area_digest, scene));
   TILEMEND_ASSIGN_OR_RETURN(std::set<CellId> chosen, ChooseCells(job.spec.cells(), scene));
   std::optional<OutputFolder> output;

@@ -54,9 +54,27 @@ TEST(DecisionFileTest, HolesWithoutADecisionAreLeftOut) {
   ASSERT_TRUE(file.ok()) << file.status();
   ASSERT_THAT(file->areas, SizeIs(1));
   EXPECT_EQ(file->areas[0].polygon.rings[0][0].x(), 10);
-  const auto none = Parse({DecisionAt(0, R"({"hole": 1})")});
+}
+
+// It would undo all that was decided before.
+TEST(DecisionFileTest, AFileOfOtherFeaturesIsRefused) {
+  for (const std::vector<std::string>& features :
+       {std::vector{DecisionAt(0, "{}"), DecisionAt(9, R"({"hole": 1, "decision": null})")},
+        std::vector{FeatureText(R"({"type":"Point","coordinates":[1,1]})", R"({"decision": "open"})")}}) {
+    const auto other = Parse(features);
+    EXPECT_TRUE(absl::IsInvalidArgument(other.status())) << other.status();
+    EXPECT_THAT(std::string(other.status().message()),
+                AllOf(StartsWith(absl::StrCat("d.geojson: none of its features (", features.size(), ") is a decision")),
+                      HasSubstr("property \"decision\" (accept, water, ground or open)"),
+                      HasSubstr("a file without features undoes all decisions")));
+  }
+}
+
+TEST(DecisionFileTest, AFileWithoutFeaturesHoldsNoDecision) {
+  const auto none = Parse({});
   ASSERT_TRUE(none.ok()) << none.status();
-  EXPECT_THAT(none->warnings, ElementsAre("d.geojson: holds no decision, so it has no effect"));
+  EXPECT_THAT(none->areas, IsEmpty());
+  EXPECT_THAT(none->warnings, ElementsAre("d.geojson: holds no decision"));
 }
 
 // As holes.geojson has them, with decisions that were typed in a GIS.

@@ -52,5 +52,17 @@ TEST_F(EarlierOutputTest, WithoutDecisionsOrWithoutAReportNothingIsReplaced) {
   EXPECT_EQ(*MayReplace(spec_, OutputKey("scene")), false);
 }
 
+TEST_F(EarlierOutputTest, SaysHowManyDecisionsAFileWithoutOneUndoes) {
+  EXPECT_EQ(UndoneDecisions(spec_, {}), "");
+  folder_.Write("out/report.json", R"({"per_hole": [{"decision": "open"}, {"decision": "water"}, {}]})");
+  EXPECT_EQ(UndoneDecisions(spec_, {}), "/marks.geojson: the decisions of the last run on 2 holes are undone");
+  WaterArea polygon;
+  EXPECT_NE(UndoneDecisions(spec_, {polygon}), "");
+  polygon.decision = ReviewDecision::kAccept;
+  EXPECT_EQ(UndoneDecisions(spec_, {polygon}), "");
+  spec_.clear_decisions();
+  EXPECT_EQ(UndoneDecisions(spec_, {}), "");
+}
+
 }  // namespace
 }  // namespace tilemend
