@@ -54,7 +54,7 @@ struct Column {
   void Take(const std::string& cell) {
     width = std::max(width, ColumnsOf(cell));
     double number = 0;
-    if (!cell.empty()) (absl::SimpleAtod(cell, &number) ? has_numbers : has_texts) = true;
+    if (!cell.empty() && cell != "-") (absl::SimpleAtod(cell, &number) ? has_numbers : has_texts) = true;
   }
 };
 

@@ -46,7 +46,7 @@ std::string FilledText(const Json& report) {
     ++filled;
     area += Number(Member(hole, "area_m2"));
   }
-  return absl::StrFormat("%d of %s filled, %.1f m2\n", filled, Counted(holes, "hole"), area);
+  return absl::StrCat(filled, " of ", Counted(holes, "hole"), " filled, ", AreaText(area), " m2\n");
 }
 
 // "61 of 64 tiles kept as they were", where some were.
