@@ -36,7 +36,7 @@ struct VectorFeature {
   bool clear = false;                   // property `clear`
   std::optional<double> clear_height;   // property `clear_height`, metres, >= 0
   std::optional<int64_t> body;          // of a hole in holes.geojson: property `body`; of a decision `cluster`
-  std::optional<int64_t> hole = {};     // of a decision: property `hole`
+  std::vector<int64_t> holes = {};      // of a decision: property `hole` of each feature that is part of it
   ReviewDecision decision = ReviewDecision::kNone;  // property `decision`
 };
 

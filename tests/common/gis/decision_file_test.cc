@@ -42,10 +42,10 @@ TEST(DecisionFileTest, EachDecisionIsAnArea) {
   }
   EXPECT_THAT(decisions, ElementsAre(ReviewDecision::kAccept, ReviewDecision::kWater, ReviewDecision::kWater,
                                      ReviewDecision::kGround, ReviewDecision::kOpen));
-  EXPECT_EQ(file->areas[0].label, "feature 0 of --decisions (hole 7)");
+  EXPECT_EQ(file->areas[0].label, "decision on hole 7");
   EXPECT_EQ(file->areas[1].level, 3.25);
   EXPECT_EQ(file->areas[2].level, std::nullopt);
-  EXPECT_EQ(file->areas[2].label, "feature 2 of --decisions");
+  EXPECT_EQ(file->areas[2].label, "decision of feature 2");
 }
 
 TEST(DecisionFileTest, HolesWithoutADecisionAreLeftOut) {
@@ -88,6 +88,16 @@ TEST(DecisionFileTest, HolesOfAClusterWithOneDecisionAreOneArea) {
   EXPECT_TRUE(Contains(file->areas[0].polygon, {2, 2}));
   EXPECT_TRUE(Contains(file->areas[0].polygon, {6, 2}));
   EXPECT_FALSE(Contains(file->areas[0].polygon, {10, 2}));
+  EXPECT_EQ(file->areas[0].label, "decision on holes 1, 2");
+}
+
+TEST(DecisionFileTest, ALabelNamesFiveHoles) {
+  std::vector<std::string> features;
+  for (int k = 0; k < 7; ++k)
+    features.push_back(DecisionAt(4 * k, absl::StrCat(R"({"cluster": 1, "decision": "open", "hole": )", k, "}")));
+  const auto file = Parse(features);
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_EQ(file->areas[0].label, "decision on holes 0, 1, 2, 3, 4 and 2 more");
 }
 
 TEST(DecisionFileTest, ABadFileIsRefusedWithThePlace) {
