@@ -11,6 +11,7 @@
 #include "client/output.h"
 #include "client/repeated_reasons.h"
 #include "coordinator/report/json_access.h"
+#include "coordinator/report/left_open.h"
 
 namespace tilemend {
 namespace {
@@ -77,6 +78,7 @@ std::string KindsText(const Json& report) {
   std::map<std::string, Tally> kinds;
   Tally all;
   for (const Json& hole : Member(report, "per_hole")) {
+    if (Member(hole, "reason") == kNotChosen) continue;
     Add(hole, kinds[KindOf(hole)]);
     Add(hole, all);
   }

@@ -125,8 +125,8 @@ std::string MessageOf(const JobSpec& spec, const SceneReportInput& report, const
   }
   std::string message =
       spec.dry_run() ? absl::StrCat(all, " holes found, nothing written: ", chosen - stay_open,
-                                    " to fill (filling may find some that stay open), ", stay_open, " that stay open")
-                     : absl::StrCat(report.outcome.sizes.size(), " of ", chosen, " holes filled",
+                                    " to fill (filling may find some that stay open), ", stay_open, stay_open == 1 ? " that stays open" : " that stay open")
+                     : absl::StrCat(report.outcome.sizes.size(), " of ", chosen, " holes filled", UncountedText(report),
                                     all_closed ? "" : "; the report lists what is left open");
   if (!spec.cells().empty()) {
     absl::StrAppend(&message, "; ", chosen, " of ", all, " holes are in the ", report.outcome.chosen.size(), " of ",
@@ -152,10 +152,14 @@ struct Steps {
   Stopwatch watch;
   std::vector<std::pair<std::string, double>> seconds;
   std::shared_ptr<SceneSight> sight;
+  int64_t holes = 0;  // in the cells that were chosen, of the plan
 
   void End(std::string_view step, const SceneWaves& waves) {
     seconds.emplace_back(step, watch.Lap());
-    if (step == "plan") sight->SetPlan(waves.plan(), waves.outcome().chosen);
+    if (step != "plan") return;
+    sight->SetPlan(waves.plan(), waves.outcome().chosen);
+    holes = std::ranges::count_if(waves.plan().holes,
+                                  [&](const PlannedHole& hole) { return waves.options().IsChosen(hole.cell); });
   }
 };
 
@@ -237,9 +241,12 @@ class ScenePipeline : public JobPipeline {
     Progress progress;
     // Also if all of it is known from an earlier run: nobody is to see the job go back.
     progress.phase = waves_.done() && verification_.is_wanted() ? kVerifyPhase : waves_.phase();
-    progress.cells = static_cast<int64_t>(waves_.scene().tiles.size());
-    progress.cells_done = waves_.cells_done();
-    progress.holes = static_cast<int64_t>(waves_.plan().holes.size());
+    // Of the cells that were chosen; others are done when there is nothing to do.
+    const auto cells = static_cast<int64_t>(waves_.scene().tiles.size());
+    const auto chosen = static_cast<int64_t>(waves_.options().chosen.size());
+    progress.cells = chosen > 0 ? chosen : cells;
+    progress.cells_done = std::max<int64_t>(0, waves_.cells_done() - (cells - progress.cells));
+    progress.holes = steps_.holes;
     progress.holes_filled = static_cast<int64_t>(waves_.outcome().sizes.size());
     progress.triangles = waves_.outcome().triangles;
     progress.taken_over = reuse_->taken_over();

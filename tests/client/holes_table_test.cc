@@ -70,6 +70,14 @@ TEST(LookAtTextTest, ListsPlaces) {
             "   7  [0,1]  [1.50,2.50]     300.0  it is large\n");
 }
 
+TEST(KindsTextTest, CountsTheCellsThatWereChosen) {
+  Json report;
+  report["per_hole"] = {Hole(0, 2), Hole(1, 3)};
+  report["per_hole"][1]["outcome"] = "left";
+  report["per_hole"][1]["reason"] = "in a cell that was not chosen";
+  EXPECT_THAT(KindsText(report), HasSubstr("all                1  "));
+}
+
 TEST(KindsTextTest, HasALegendOnlyWhereThereAreOpenHoles) {
   Json report;
   report["per_hole"] = {Hole(0, 2)};

@@ -55,7 +55,7 @@ TEST_F(DryRunTest, ADryRunSaysWhatStaysOpenAndWarns) {
   std::filesystem::remove(spec_.scene() + "/scene.json");
   const auto unknown = Run();
   ASSERT_TRUE(unknown.ok()) << unknown.status();
-  EXPECT_THAT(unknown->message, HasSubstr("1 to fill (filling may find some that stay open), 1 that stay open"));
+  EXPECT_THAT(unknown->message, HasSubstr("1 to fill (filling may find some that stay open), 1 that stays open"));
   EXPECT_THAT(unknown->warnings, testing::Contains(HasSubstr("the area is not known")));
 }
 

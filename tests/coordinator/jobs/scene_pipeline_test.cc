@@ -261,6 +261,9 @@ TEST_F(ScenePipelineTest, SomeCellsAreWrittenAsInARunOfAll) {
     ASSERT_TRUE(outcome.ok()) << outcome.status();
     EXPECT_FALSE(outcome->partial);
     EXPECT_THAT(outcome->message, HasSubstr("holes are in the 3 of 12 cells that were chosen"));
+    EXPECT_EQ(progress_.cells, 3);
+    EXPECT_EQ(progress_.cells_done, 3);
+    EXPECT_EQ(progress_.holes, progress_.holes_filled);
     const auto some = TilesBelow(spec_.out());
     EXPECT_EQ(some.size(), 3U);
     for (const auto& [name, bytes] : some) EXPECT_EQ(all.at(name), bytes) << name;
@@ -280,6 +283,16 @@ TEST_F(ScenePipelineTest, ADryRunSaysWhichHolesAreChosen) {
   spec_.set_dry_run(true);
   spec_.set_cells("1,1");
   EXPECT_THAT(Run()->message, HasSubstr("holes are in the 1 of 12 cells that were chosen"));
+}
+
+TEST_F(ScenePipelineTest, ALevelFarFromAllSurfaceIsRefusedBeforeATileIsWritten) {
+  spec_.set_water(folder_.Write("water.geojson",
+                                R"({"type": "Feature", "properties": {"level_m": 99999}, "geometry": {"type": "Polygon",
+                           "coordinates": [[[10, 10], [90, 10], [90, 90], [10, 90], [10, 10]]]}})"));
+  const absl::Status refused = Run().status();
+  EXPECT_TRUE(absl::IsInvalidArgument(refused)) << refused;
+  EXPECT_THAT(std::string(refused.message()), HasSubstr("m above all surface of the scene"));
+  EXPECT_EQ(stages_[Stage::kAssemble], 0);
 }
 
 TEST_F(ScenePipelineTest, CellsThatTheSceneDoesNotHaveAreRefused) {
