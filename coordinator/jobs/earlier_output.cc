@@ -28,14 +28,14 @@ absl::StatusOr<bool> MayReplace(const JobSpec& spec, const std::string& key) {
       {"OUTPUT_EXISTS", {}});
 }
 
-std::string UndoneDecisions(const JobSpec& spec, const std::vector<WaterArea>& areas) {
+void WarnOfUndoneDecisions(const JobSpec& spec, WaterChoice& water) {
   const auto is_decision = [](const WaterArea& area) { return area.decision != ReviewDecision::kNone; };
-  if (spec.decisions().empty() || std::ranges::any_of(areas, is_decision)) return "";
+  if (spec.decisions().empty() || std::ranges::any_of(water.options.areas, is_decision)) return;
   const auto report = ReadFile(absl::StrCat(spec.out(), "/", kReportFiles[0]));
   const size_t decided = report.ok() ? DecidedHolesIn(*report) : 0;
-  if (decided == 0) return "";
-  return absl::StrCat(spec.decisions(), ": the decisions of the last run on ", decided,
-                      decided == 1 ? " hole are undone" : " holes are undone");
+  if (decided == 0) return;
+  water.warnings.push_back(absl::StrCat(spec.decisions(), ": the decisions of the last run on ", decided,
+                                        decided == 1 ? " hole are undone" : " holes are undone"));
 }
 
 absl::StatusOr<JobOnOutput> OnOutput(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest,

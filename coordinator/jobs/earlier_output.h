@@ -3,7 +3,6 @@
 #define TILEMEND_COORDINATOR_JOBS_EARLIER_OUTPUT_H_
 
 #include <string>
-#include <vector>
 
 #include "absl/status/statusor.h"
 #include "coordinator/jobs/job_pipeline.h"
@@ -20,9 +19,9 @@ std::string OutputKey(const std::string& scene_key);
 // the output of another scene or other options. Cost: reads the report if there are decisions.
 absl::StatusOr<bool> MayReplace(const JobSpec& spec, const std::string& key);
 
-// "decisions.geojson: the decisions of the last run on 4 holes are undone", if the spec names decisions,
-// `areas` have none, and the report in the output folder has some; else "". Cost: reads the report.
-std::string UndoneDecisions(const JobSpec& spec, const std::vector<WaterArea>& areas);
+// Adds the warning "decisions.geojson: the decisions of the last run on 4 holes are undone" if the spec names
+// decisions, `water` has none, and the report in the output folder has some. Cost: reads the report.
+void WarnOfUndoneDecisions(const JobSpec& spec, WaterChoice& water);
 
 // A job with the cells that its output has then.
 struct JobOnOutput {

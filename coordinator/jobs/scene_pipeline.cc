@@ -125,7 +125,8 @@ std::string MessageOf(const JobSpec& spec, const SceneReportInput& report, const
   }
   std::string message =
       spec.dry_run() ? absl::StrCat(all, " holes found, nothing written: ", chosen - stay_open,
-                                    " to fill (filling may find some that stay open), ", stay_open, stay_open == 1 ? " that stays open" : " that stay open")
+                                    " to fill (filling may find some that stay open), ", stay_open,
+                                    stay_open == 1 ? " that stays open" : " that stay open")
                      : absl::StrCat(report.outcome.sizes.size(), " of ", chosen, " holes filled", UncountedText(report),
                                     all_closed ? "" : "; the report lists what is left open");
   if (!spec.cells().empty()) {
@@ -152,12 +153,13 @@ struct Steps {
   Stopwatch watch;
   std::vector<std::pair<std::string, double>> seconds;
   std::shared_ptr<SceneSight> sight;
-  int64_t holes = 0;  // in the cells that were chosen, of the plan
+  int64_t holes = 0;    // in the cells that were chosen, of the plan
+  absl::Status levels;  // CheckLevels, once the surface is known
 
   void End(std::string_view step, const SceneWaves& waves) {
     seconds.emplace_back(step, watch.Lap());
-    if (step != "plan") return;
-    sight->SetPlan(waves.plan(), waves.outcome().chosen);
+    if (step == "survey") levels = CheckLevels(waves.options().plan.water.areas, waves.survey().records());
+    if (step == "plan") sight->SetPlan(waves.plan(), waves.outcome().chosen);
     holes = std::ranges::count_if(waves.plan().holes,
                                   [&](const PlannedHole& hole) { return waves.options().IsChosen(hole.cell); });
   }
@@ -191,11 +193,7 @@ class ScenePipeline : public JobPipeline {
         output_(std::move(output)),
         verification_(verified, output_ ? output_->path() : "", scratch),
         waves_(std::move(scene), OptionsFor(std::move(chosen), std::move(water)),
-               [this](std::string_view step) {
-                 steps_.End(step, waves_);
-                 if (step == "survey")
-                   levels_ = CheckLevels(waves_.options().plan.water.areas, waves_.survey().records());
-               }),
+               [this](std::string_view step) { steps_.End(step, waves_); }),
         tasks_(spec_, waves_, output_ ? &*output_ : nullptr, std::move(scratch)) {
     steps_.sight = std::make_shared<SceneSight>(waves_.scene());
   }
@@ -241,11 +239,8 @@ class ScenePipeline : public JobPipeline {
     Progress progress;
     // Also if all of it is known from an earlier run: nobody is to see the job go back.
     progress.phase = waves_.done() && verification_.is_wanted() ? kVerifyPhase : waves_.phase();
-    // Of the cells that were chosen; others are done when there is nothing to do.
-    const auto cells = static_cast<int64_t>(waves_.scene().tiles.size());
-    const auto chosen = static_cast<int64_t>(waves_.options().chosen.size());
-    progress.cells = chosen > 0 ? chosen : cells;
-    progress.cells_done = std::max<int64_t>(0, waves_.cells_done() - (cells - progress.cells));
+    progress.cells = waves_.cells().all;
+    progress.cells_done = waves_.cells().done;
     progress.holes = steps_.holes;
     progress.holes_filled = static_cast<int64_t>(waves_.outcome().sizes.size());
     progress.triangles = waves_.outcome().triangles;
@@ -313,7 +308,7 @@ class ScenePipeline : public JobPipeline {
     size_t bytes = 0;
     while (bytes < kEnoughBytes && tasks.size() < kEnoughTasks && tasks_out_ < kMostTasksOut) {
       std::optional<SceneWork> next = waves_.Next();
-      TILEMEND_RETURN_IF_ERROR(levels_);
+      TILEMEND_RETURN_IF_ERROR(steps_.levels);
       if (!next) break;
       if (end_.is_cancelled()) return absl::CancelledError("the job was cancelled");
       if (std::holds_alternative<AssembleWork>(*next) && !std::exchange(writing_, true)) {
@@ -407,7 +402,6 @@ class ScenePipeline : public JobPipeline {
   bool writing_ = false;
   OutputEnd end_;
   Steps steps_;
-  absl::Status levels_;  // that areas give: known when the surface is
   SceneWaves waves_;
   SceneTasks tasks_;
   ResultLog::Opening opening_ = ResultLog::Opening::kNewJob;
@@ -427,10 +421,9 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
   TILEMEND_RETURN_IF_ERROR(AddClearFile(spec.clear(), FrameOf(scene), water, stop));
   TILEMEND_RETURN_IF_ERROR(KeepClearInside(scene.area, water));
   TILEMEND_RETURN_IF_ERROR(AddDecisions(spec.decisions(), FrameOf(scene), water, stop));
+  WarnOfUndoneDecisions(spec, water);
   water.options.profile = *WaterProfileNamed(spec.water_profile());
   for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));
-  std::string undone = UndoneDecisions(spec, water.options.areas);
-  if (!undone.empty()) scene.warnings.push_back(std::move(undone));
   TILEMEND_ASSIGN_OR_RETURN(JobOnOutput job, OnOutput(spec, water, area_digest, scene));
   TILEMEND_ASSIGN_OR_RETURN(std::set<CellId> chosen, ChooseCells(job.spec.cells(), scene));
   std::optional<OutputFolder> output;

@@ -279,22 +279,6 @@ TEST_F(ScenePipelineTest, SomeCellsAreWrittenAsInARunOfAll) {
   }
 }
 
-TEST_F(ScenePipelineTest, ADryRunSaysWhichHolesAreChosen) {
-  spec_.set_dry_run(true);
-  spec_.set_cells("1,1");
-  EXPECT_THAT(Run()->message, HasSubstr("holes are in the 1 of 12 cells that were chosen"));
-}
-
-TEST_F(ScenePipelineTest, ALevelFarFromAllSurfaceIsRefusedBeforeATileIsWritten) {
-  spec_.set_water(folder_.Write("water.geojson",
-                                R"({"type": "Feature", "properties": {"level_m": 99999}, "geometry": {"type": "Polygon",
-                           "coordinates": [[[10, 10], [90, 10], [90, 90], [10, 90], [10, 10]]]}})"));
-  const absl::Status refused = Run().status();
-  EXPECT_TRUE(absl::IsInvalidArgument(refused)) << refused;
-  EXPECT_THAT(std::string(refused.message()), HasSubstr("m above all surface of the scene"));
-  EXPECT_EQ(stages_[Stage::kAssemble], 0);
-}
-
 TEST_F(ScenePipelineTest, CellsThatTheSceneDoesNotHaveAreRefused) {
   spec_.set_cells("1,1 90,90");
   EXPECT_THAT(std::string(ScenePipelineFactory()(spec_, {}).status().message()), HasSubstr("+090_+090"));
