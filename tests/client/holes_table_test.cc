@@ -75,7 +75,7 @@ TEST(KindsTextTest, CountsTheCellsThatWereChosen) {
   report["per_hole"] = {Hole(0, 2), Hole(1, 3)};
   report["per_hole"][1]["outcome"] = "left";
   report["per_hole"][1]["reason"] = "in a cell that was not chosen";
-  EXPECT_THAT(KindsText(report), HasSubstr("all                1  "));
+  EXPECT_THAT(KindsText(report), HasSubstr("all               1  "));
 }
 
 TEST(KindsTextTest, HasALegendOnlyWhereThereAreOpenHoles) {
