@@ -294,7 +294,7 @@ class AcceptanceCheck {
     const CellId cell = input_.scene.tiles[open.tile].cell;
     const Point3 middle = (open.edge.from + open.edge.to) / 2;
     if (IsCovered(cell, middle, open.edge.is_inner) || open.edge.is_covered ||
-        rim_.HasEdge(cell, open.edge.from, open.edge.to) || IsAtLeftHole(middle))
+        rim_.HasEdge(cell, open.edge.from, open.edge.to) || IsAtLeftHole(cell, middle))
       return;
     Add(kOpenEdge, cell, middle);
   }
@@ -320,9 +320,12 @@ class AcceptanceCheck {
     return covered;
   }
 
-  bool IsAtLeftHole(const Point3& p) const {
-    return std::any_of(reported_.left.begin(), reported_.left.end(),
-                       [&](const ReportedOutput::Left& left) { return IsAtLeft(left, p.head<2>()); });
+  bool IsAtLeftHole(CellId cell, const Point3& p) const {
+    const std::vector<CellId> beside = rim_.NeighboursAt(cell, p);
+    return std::ranges::any_of(reported_.left, [&](const ReportedOutput::Left& left) {
+      const bool is_beside = std::ranges::find(beside, left.cell) != beside.end();
+      return IsAtLeft(left, p.head<2>()) || (is_beside && GoesOnAt(left, p.head<2>()));
+    });
   }
 
   void AddBorders() {

@@ -25,6 +25,7 @@
 #include "client/mesh/single_mesh.h"
 #include "client/output.h"
 #include "client/output_file.h"
+#include "client/progress_display.h"
 #include "client/water_proposal.h"
 #include "client/water_table.h"
 #include "common/gis/area_file.h"
@@ -168,7 +169,9 @@ absl::StatusOr<Inspection> InspectSceneOf(const Request& request) {
   CheckCrs(scene);
   TILEMEND_RETURN_IF_ERROR(ApplyAreaChoice(request.area, scene).status());
   TILEMEND_ASSIGN_OR_RETURN(const PlanOptions options, PlanOptionsOf(request, scene));
-  return InspectScene(std::move(scene), options);
+  StepDisplay display;
+  return InspectScene(std::move(scene), options,
+                      [&](std::string_view step, size_t done, size_t all) { display.Show(step, done, all); });
 }
 
 absl::Status CheckIsNew(const std::string& path) {

@@ -4,7 +4,9 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <mutex>
 #include <optional>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -13,6 +15,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/assemble/clear_tile.h"
 #include "common/mesh/height_tally.h"
+#include "common/util/heap.h"
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
 #include "coordinator/report/tile_checks.h"
@@ -69,23 +72,33 @@ absl::StatusOr<Looked> Look(const Scene& scene, const SurveyWork& work) {
   return looked;
 }
 
+unsigned Cores() { return std::max(1U, std::thread::hardware_concurrency()); }
+
 // Calls `use` with each number below `count`, on as many threads as there are cores.
-void ForEachOnAllCores(size_t count, const std::function<void(size_t)>& use) {
+void ForEachOnAllCores(std::string_view step, size_t count, const StepWatcher& watcher,
+                       const std::function<void(size_t)>& use) {
   std::atomic<size_t> next{0};
+  std::mutex mutex;
+  size_t done = 0;
   const auto work = [&] {
-    for (size_t i = next++; i < count; i = next++) use(i);
+    for (size_t i = next++; i < count; i = next++) {
+      use(i);
+      const std::lock_guard lock(mutex);
+      if (watcher) watcher(step, ++done, count);
+    }
   };
   std::vector<std::thread> threads;
-  for (unsigned t = 1; t < std::max(1U, std::thread::hardware_concurrency()); ++t) threads.emplace_back(work);
+  for (unsigned t = 1; t < Cores(); ++t) threads.emplace_back(work);
   work();
   for (std::thread& t : threads) t.join();
 }
 
 // What comes of the work, in order.
 template <typename Work>
-std::vector<absl::StatusOr<Looked>> LookAtAll(const Scene& scene, const std::vector<Work>& tiles) {
+std::vector<absl::StatusOr<Looked>> LookAtAll(std::string_view step, const Scene& scene, const std::vector<Work>& tiles,
+                                              const StepWatcher& watcher) {
   std::vector<absl::StatusOr<Looked>> results(tiles.size());
-  ForEachOnAllCores(tiles.size(), [&](size_t i) { results[i] = Look(scene, tiles[i]); });
+  ForEachOnAllCores(step, tiles.size(), watcher, [&](size_t i) { results[i] = Look(scene, tiles[i]); });
   return results;
 }
 
@@ -103,8 +116,8 @@ absl::Status Take(CellId cell, Looked looked, SceneWaves& waves) {
 }
 
 template <typename Work>
-void DoAll(const std::vector<Work>& tiles, Inspection& inspection) {
-  auto results = LookAtAll(inspection.waves->scene(), tiles);
+void DoAll(std::string_view step, const std::vector<Work>& tiles, const StepWatcher& watcher, Inspection& inspection) {
+  auto results = LookAtAll(step, inspection.waves->scene(), tiles, watcher);
   for (size_t i = 0; i < tiles.size(); ++i) {
     absl::Status status = results[i].status();
     if (status.ok()) status = Take(tiles[i].tile->cell, *std::move(results[i]), *inspection.waves);
@@ -113,11 +126,11 @@ void DoAll(const std::vector<Work>& tiles, Inspection& inspection) {
 }
 
 // Tells ground from objects in all cells, and plans; as many threads as cores.
-void TellGround(SceneWaves& waves) {
+void TellGround(const StepWatcher& watcher, SceneWaves& waves) {
   std::vector<GroundWork> works;
   while (std::optional<SceneWork> work = waves.Next()) works.push_back(std::get<GroundWork>(*std::move(work)));
   std::vector<RimGround> ground(works.size());
-  ForEachOnAllCores(works.size(), [&](size_t i) {
+  ForEachOnAllCores("tell ground from objects", works.size(), watcher, [&](size_t i) {
     std::vector<Point3> vertices;
     for (const BoundaryVertex& v : works[i].record.Outline()->vertices) vertices.push_back(v.position);
     std::vector<GroundRaster> rasters;
@@ -133,7 +146,8 @@ void TellGround(SceneWaves& waves) {
 
 }  // namespace
 
-Inspection InspectScene(Scene scene, const PlanOptions& options) {
+Inspection InspectScene(Scene scene, const PlanOptions& options, const StepWatcher& watcher) {
+  KeepHeap(static_cast<int>(Cores()));
   WaveOptions wave_options;
   wave_options.plan = options;
   wave_options.single_mesh = scene.grid.cell_size.minCoeff() <= 0;
@@ -142,15 +156,15 @@ Inspection InspectScene(Scene scene, const PlanOptions& options) {
   inspection.waves = std::make_unique<SceneWaves>(std::move(scene), std::move(wave_options));
   SceneWaves& waves = *inspection.waves;
   std::optional<SceneWork> next = waves.Next();
-  DoAll(AllWork<MeasureWork>(waves, next), inspection);
+  DoAll("measure the heights in the polygons", AllWork<MeasureWork>(waves, next), watcher, inspection);
   if (!inspection.errors.empty()) return inspection;
   if (!next) next = waves.Next();
-  DoAll(AllWork<SurveyWork>(waves, next), inspection);
+  DoAll("look at the tiles", AllWork<SurveyWork>(waves, next), watcher, inspection);
   if (inspection.errors.empty()) {
     absl::Status levels = CheckLevels(options.water.areas, waves.survey().records());
     if (!levels.ok()) inspection.errors.push_back(std::move(levels));
   }
-  if (inspection.errors.empty()) TellGround(waves);
+  if (inspection.errors.empty()) TellGround(watcher, waves);
   return inspection;
 }
 

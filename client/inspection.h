@@ -2,8 +2,11 @@
 #ifndef TILEMEND_CLIENT_INSPECTION_H_
 #define TILEMEND_CLIENT_INSPECTION_H_
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -18,8 +21,12 @@ struct Inspection {
   std::vector<absl::Status> errors;   // of tiles that cannot be read or do not fit their cell, in order of the cells
 };
 
-// Surveys all tiles of a scene, or a single mesh (SceneOfMesh), as many at once as there are cores, and plans.
-Inspection InspectScene(Scene scene, const PlanOptions& options);
+// Is told how many things of a step are done, of how many; by one thread at a time.
+using StepWatcher = std::function<void(std::string_view step, size_t done, size_t all)>;
+
+// Surveys all tiles of a scene, or a single mesh (SceneOfMesh), as many at once as there are cores, and plans. Keeps
+// freed memory for the process (KeepHeap).
+Inspection InspectScene(Scene scene, const PlanOptions& options, const StepWatcher& watcher = {});
 
 // Whether `path` is a file and no scene.json: a single mesh.
 bool IsSingleMesh(const std::string& path);

@@ -62,6 +62,7 @@ void AddLeftHole(const Json& hole, ReportedOutput& reported) {
                            .at = {centre->x(), centre->y(), height},
                            .reach = Number(Member(hole, "perimeter_m")) / 2,
                            .hole = static_cast<int64_t>(Number(Member(hole, "id"))),
+                           .reaches_border = Member(hole, "kind") != "closed",
                            .area = Number(Member(hole, "area_m2")),
                            .reason = Text(Member(hole, "reason"))});
 }
@@ -123,6 +124,9 @@ void AddLeftRims(const Json& holes, const Point2& origin, ReportedOutput& report
   }
   for (ReportedOutput::Left& left : reported.left) {
     if (left.hole >= 0) left.rim = rims[left.hole];
+    for (const std::vector<Point2>& ring : left.rim) {
+      for (const Point2& p : ring) left.box.extend(p);
+    }
   }
 }
 
@@ -134,6 +138,10 @@ bool IsAtLeft(const ReportedOutput::Left& left, const Point2& p) {
     }
     return false;
   });
+}
+
+bool GoesOnAt(const ReportedOutput::Left& left, const Point2& p) {
+  return left.reaches_border && !left.box.isEmpty() && left.box.exteriorDistance(p) <= kLeftReach;
 }
 
 }  // namespace tilemend

@@ -2,6 +2,7 @@
 #ifndef TILEMEND_CLIENT_REPORTED_OUTPUT_H_
 #define TILEMEND_CLIENT_REPORTED_OUTPUT_H_
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -20,7 +21,9 @@ struct ReportedOutput {
     Point3 at{0, 0, 0};                         // at the mean height of its rim; z 0: not known
     double reach = 0;                           // metres: all of its boundary is nearer to `at`
     int64_t hole = -1;                          // its number; -1: none
+    bool reaches_border = false;                // it goes on beyond the sides of its cell
     std::vector<std::vector<Point2>> rim = {};  // its boundary from above; empty: not known
+    Eigen::AlignedBox2d box = {};               // of the rim
     double area = 0;                            // m2
     std::string reason;
   };
@@ -48,6 +51,10 @@ void AddLeftRims(const nlohmann::ordered_json& holes, const Point2& origin, Repo
 // Whether an edge at p may be open because a hole was left: p lies at its boundary, or, where that is not known, around
 // it. O(points of the boundary).
 bool IsAtLeft(const ReportedOutput::Left& left, const Point2& p);
+
+// Whether an edge at p, a point of the sides of the hole's cell, may be open because the hole was left, though it goes
+// on beyond that side and was filled there.
+bool GoesOnAt(const ReportedOutput::Left& left, const Point2& p);
 
 }  // namespace tilemend
 

@@ -31,6 +31,7 @@
 #include "coordinator/plan/seam/area_edge.h"
 #include "coordinator/plan/water/clear_shores.h"
 #include "coordinator/plan/water/decided_holes.h"
+#include "coordinator/plan/water/hole_groups.h"
 #include "coordinator/plan/water/known_water.h"
 #include "coordinator/plan/water/mark_objects.h"
 #include "coordinator/plan/water/water.h"
@@ -235,13 +236,29 @@ void RefuseTilesThatFaceDown(const PlanInput& input, Plan& plan) {
   }
 }
 
-// Where areas have taken all surface out, nothing tells how high anything lies.
-void RefuseWithoutSurface(const PlanInput& input, const std::vector<WaterArea>& areas, Plan& plan) {
-  if (std::ranges::all_of(areas, [](const WaterArea& area) { return area.cleared_cells.empty(); })) return;
-  const bool has_surface = std::ranges::any_of(
-      input.cells, [](const auto& cell) { return cell.second != nullptr && cell.second->triangle_count > 0; });
-  if (has_surface) return;
-  for (PlannedHole& hole : plan.holes) hole.failure = "no surface is left in the scene to tell its height";
+// Whether a vertex of the original surface is on the rim, or one whose height is known.
+bool HasHeight(const Plan& plan, const PlannedHole& hole) {
+  bool has_height = false;
+  ForRimSegments(hole, [&](const RimSegment& s) {
+    const PlanVertex& v = plan.vertices[s.from];
+    has_height = has_height || v.index >= 0 || v.height_known;
+  });
+  return has_height;
+}
+
+// Holes that meet no surface at all, as where a polygon took it all out, or where the area ends inside a hole. Nothing
+// tells how high anything lies there, unless it is water whose level was given.
+void LeaveWithoutHeight(Plan& plan) {
+  for (const std::vector<int32_t>& group : GroupAllHoles(plan)) {
+    const auto is_known = [&](int32_t h) { return plan.holes[h].water >= 0 || HasHeight(plan, plan.holes[h]); };
+    if (std::ranges::any_of(group, is_known)) continue;
+    for (const int32_t h : group) {
+      PlannedHole& hole = plan.holes[h];
+      if (!hole.failure.empty()) continue;
+      hole.failure = "no surface is at its rim, so nothing tells its height";
+      plan.left.push_back({hole.cell, hole.failure, h, hole.boundary_vertices});
+    }
+  }
 }
 
 void LeaveFailedHoles(Plan& plan) {
@@ -270,7 +287,6 @@ Plan PlanHoles(const PlanInput& input, const PlanOptions& options, const TileLay
   Plan plan = input.has_grid ? PlanGrid(input, options, layout) : PlanMesh(input, options);
   plan.has_polygon = !input.area.empty();
   StoreLayers(plan);
-  RefuseWithoutSurface(input, options.water.areas, plan);
   DecideHoles(options.water.areas, plan);
   LeaveFailedHoles(plan);
   return plan;
@@ -321,6 +337,7 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   Plan plan = PlanHoles(input, options, layout);
   if (!plan.upright) return options.cancelled() ? Plan() : plan;
   if (!options.cancelled()) TellWater(input, options, WaterOfScene(input, options, layout, plan), plan);
+  if (!options.cancelled()) LeaveWithoutHeight(plan);
   layout.joint.reset();  // large
   if (!options.cancelled()) MarkClearedShores(options.water.areas, plan);
   if (!options.cancelled()) LayWallFeet(plan);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -106,6 +107,44 @@ TEST_F(DeliveryRunTest, ACrackBetweenTilesIsOpen) {
   // Both tiles have the vertices of the seam. One of them is moved in one tile.
   ChangeLastLine(kTile, "v 10 ", "v 10 5.25 0.9");
   EXPECT_GT(Count(Check(100), "open_edges"), 0);
+}
+
+// A level tile of squares of 1 m from x on, but for those that are in a hole.
+std::string TileFrom(int x, const std::function<bool(int column, int row)>& is_hole) {
+  std::string text;
+  for (int row = 0; row <= 10; ++row) {
+    for (int column = 0; column <= 10; ++column) absl::StrAppend(&text, "v ", x + column, " ", row, " 1\n");
+  }
+  for (int row = 0; row < 10; ++row) {
+    for (int column = 0; column < 10; ++column) {
+      if (is_hole(column, row)) continue;
+      const int a = 11 * row + column + 1;
+      absl::StrAppend(&text, "f ", a, " ", a + 1, " ", a + 12, "\nf ", a, " ", a + 12, " ", a + 11, "\n");
+    }
+  }
+  return text;
+}
+
+TEST_F(DeliveryRunTest, APartOfAHoleMayEndAtThePartThatWasLeft) {
+  // It goes on into the second cell, and there to the rim of an area that is not known.
+  folder_.Write("lake/Tile_+000_+000.obj",
+                TileFrom(0, [](int column, int row) { return column >= 7 && row / 2 == 2; }));
+  folder_.Write("lake/Tile_+001_+000.obj", TileFrom(10, [](int column, int row) { return column < 3 && row >= 4; }));
+  EXPECT_EQ(Tilemend({"run", folder_ / "lake", "--out", folder_ / "lake_out"}).code, 100);
+  const Ended check = Tilemend({"check", folder_ / "lake", folder_ / "lake_out"});
+  EXPECT_EQ(check.code, 0) << check.err << check.out;
+  folder_.Write("lake_out/Tile_+000_+000.obj", Read("lake/Tile_+000_+000.obj"));
+  EXPECT_EQ(Tilemend({"check", folder_ / "lake", folder_ / "lake_out"}).code, 100) << "the fill is gone";
+}
+
+TEST_F(DeliveryRunTest, AnAreaInsideAHoleHasNoHeight) {
+  folder_.Write("lake/Tile_+000_+000.obj", TileFrom(0, [](int column, int row) { return column > 2 && row > 2; }));
+  folder_.Write("lake/Tile_+001_+000.obj", TileFrom(10, [](int column, int row) { return column < 7 && row > 2; }));
+  const std::string area = folder_.Write(
+      "area.geojson", R"({"type": "Polygon", "coordinates": [[[6, 5], [14, 5], [14, 8], [6, 8], [6, 5]]]})");
+  EXPECT_EQ(Tilemend({"run", folder_ / "lake", "--out", folder_ / "lake_out", "--area", area}).code, 100);
+  EXPECT_THAT(Read("lake_out/report.json"), HasSubstr("nothing tells its height"));
+  EXPECT_EQ(Read("lake_out/Tile_+000_+000.obj"), Read("lake/Tile_+000_+000.obj"));
 }
 
 TEST_F(DeliveryRunTest, AFilledTriangleTwiceIsNonManifold) {

@@ -26,7 +26,8 @@ class RunMinima {
  public:
   RunMinima(const StepRaster& raster, int32_t radius) : radius_(radius), width_(raster.cols + 2 * radius) {
     const auto levels = static_cast<size_t>(std::bit_width(static_cast<uint32_t>(2 * radius + 1)));
-    rows_.assign(levels, std::vector<int16_t>(static_cast<size_t>(width_) * raster.rows, kNoSurface));
+    rows_.resize(levels);
+    for (auto& level : rows_) level.assign(static_cast<size_t>(width_) * raster.rows, kNoSurface);
     for (int32_t r = 0; r < raster.rows; ++r) {
       const auto* from = raster.heights.data() + static_cast<size_t>(r) * raster.cols;
       std::copy(from, from + raster.cols, Row(0, r) + radius);

@@ -78,7 +78,8 @@ std::vector<double> UnionOf(std::vector<std::pair<double, double>> parts) {
 }  // namespace
 
 bool SayTheSame(const WaterArea& a, const WaterArea& b) {
-  if (a.water != b.water || a.kind != b.kind || a.clear != b.clear || a.level.has_value() != b.level.has_value())
+  if (a.water != b.water || a.decision != b.decision || a.kind != b.kind || a.clear != b.clear ||
+      a.level.has_value() != b.level.has_value())
     return false;
   if (!a.centreline.empty() || !b.centreline.empty()) return false;
   if (!a.level) return true;

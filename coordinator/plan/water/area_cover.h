@@ -15,8 +15,8 @@ namespace tilemend {
 // An area decides on a hole, a cluster or a body of water if it covers more than this share: most of it.
 inline constexpr double kDecidingShare = 0.5;
 
-// Whether two areas say the same of what they cover: water or none, its kind and what is cleared, without centrelines,
-// and one level. Levels that were measured in them may differ by as much as the surface scatters.
+// Whether two areas say the same of what they cover: water or none, the same decision, its kind and what is cleared,
+// without centrelines, and one level. Levels that were measured in them may differ by as much as the surface scatters.
 bool SayTheSame(const WaterArea& a, const WaterArea& b);
 
 struct DecidingArea {

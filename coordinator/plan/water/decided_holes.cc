@@ -18,15 +18,17 @@ void DecideHoles(const std::vector<WaterArea>& areas, Plan& plan) {
   if (std::ranges::none_of(areas, IsDecision)) return;
   for (const std::vector<int32_t>& holes : GroupAllHoles(plan)) {
     const CoverLines region(BoundaryOf(plan, holes));
-    int32_t decision = -1;
+    std::vector<double> shares(areas.size(), 0);
     for (size_t a = 0; a < areas.size(); ++a) {
-      if (IsDecision(areas[a]) && region.ShareIn(areas[a]) > kDecidingShare) decision = static_cast<int32_t>(a);
+      if (IsDecision(areas[a])) shares[a] = region.ShareIn(areas[a]);
     }
-    if (decision < 0) continue;
+    const auto deciding = FindDecidingArea(region, shares, areas);
+    if (!deciding) continue;
     for (const int32_t h : holes) {
       PlannedHole& hole = plan.holes[h];
-      plan.decisions[h] = decision;
-      if (areas[decision].decision == ReviewDecision::kOpen && hole.failure.empty()) hole.failure = kLeftByDecision;
+      plan.decisions[h] = static_cast<int32_t>(deciding->area);
+      const bool is_open = areas[deciding->area].decision == ReviewDecision::kOpen;
+      if (is_open && hole.failure.empty()) hole.failure = kLeftByDecision;
     }
   }
 }

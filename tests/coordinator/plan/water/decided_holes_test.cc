@@ -63,6 +63,27 @@ TEST_F(DecideHolesTest, LessThanHalfOfAClusterDecidesNothing) {
   EXPECT_EQ(Decide({Decision(ReviewDecision::kOpen, 0, 9)}), (std::vector{-1, -1, -1}));
 }
 
+TEST_F(DecideHolesTest, DecisionsThatSayTheSameDecideTogether) {
+  EXPECT_EQ(Decide({Decision(ReviewDecision::kOpen, 0, 10), Decision(ReviewDecision::kOpen, 10, 20)}),
+            (std::vector{0, -1, 0}));
+  EXPECT_EQ(plan_.holes[0].failure, kLeftByDecision);
+  EXPECT_EQ(plan_.holes[2].failure, kLeftByDecision);
+}
+
+TEST_F(DecideHolesTest, DecisionsThatContradictEachOtherDecideNothing) {
+  const std::vector<WaterArea> areas = {Decision(ReviewDecision::kOpen, 0, 10),
+                                        Decision(ReviewDecision::kGround, 10, 20)};
+  EXPECT_EQ(Decide(areas), (std::vector{-1, -1, -1}));
+  WaterOptions options;
+  options.areas = areas;
+  AnswerWaterAreas(options, plan_);
+  ASSERT_EQ(plan_.water_answers.size(), 2U);
+  for (const WaterAnswer& answer : plan_.water_answers) {
+    EXPECT_FALSE(answer.taken);
+    EXPECT_NE(answer.reason, "");
+  }
+}
+
 TEST_F(DecideHolesTest, TheLastOneDecides) {
   EXPECT_EQ(Decide({Decision(ReviewDecision::kOpen, 0, 99), Decision(ReviewDecision::kAccept, 49, 61)}),
             (std::vector{0, 1, 0}));
