@@ -350,7 +350,7 @@ class AcceptanceCheck {
     for (const std::string& path : tiles.missing) Add(kMissingTile, cells[path], std::nullopt, path);
     for (const std::string& path : tiles.others) Add(kOtherMesh, {}, std::nullopt, path);
     for (const ReportedOutput::Left& left : reported_.left) {
-      Add(kLeftHole, left.cell, Point3(left.at.x(), left.at.y(), 0), left.reason);
+      Add(kLeftHole, left.cell, left.at, left.reason);
     }
   }
 

@@ -250,6 +250,8 @@ void PrintTable(const Json& json) {
   for (const auto& [name, count] : holes["single"].items()) {
     if (count.get<int64_t>() > 0) absl::StrAppend(&text, absl::StrFormat("%9d    %s\n", count.get<int64_t>(), name));
   }
+  const int64_t open = holes["open"].get<int64_t>();
+  if (open > 0) absl::StrAppend(&text, absl::StrFormat("%9d    over a border between tiles\n", open));
   absl::StrAppend(&text, absl::StrFormat("%9d  boundary edges in no loop", holes["edges_in_no_loop"].get<int64_t>()),
                   first(holes["edges_in_no_loop_at"]),
                   absl::StrFormat("\n%9d  outlines (no fault)\n", json["outlines"].get<int64_t>()), FilesText(json));

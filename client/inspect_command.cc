@@ -101,7 +101,7 @@ std::string HolesLine(const Json& plan) {
 
 std::string PlanText(const Json& plan) {
   return absl::StrCat(PlannedHolesText(plan), WaterText(plan, "to fill flat as water"), LookAtText(plan),
-                      LeftText(plan, "that stay open"));
+                      LeftText(plan, "left open"));
 }
 
 std::string SceneText(const Inspection& inspection, const Json& plan) {

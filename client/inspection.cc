@@ -19,6 +19,7 @@
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
 #include "coordinator/report/tile_checks.h"
+#include "coordinator/report/water_choice.h"
 #include "worker/ground/lowest_surface.h"
 #include "worker/ground/rim_objects.h"
 #include "worker/survey/survey.h"
@@ -159,6 +160,10 @@ Inspection InspectScene(Scene scene, const PlanOptions& options, const StepWatch
   if (!inspection.errors.empty()) return inspection;
   if (!next) next = waves.Next();
   DoAll("look at the tiles", AllWork<SurveyWork>(waves, next), watcher, inspection);
+  if (inspection.errors.empty()) {
+    absl::Status levels = CheckLevels(options.water.areas, waves.survey().records());
+    if (!levels.ok()) inspection.errors.push_back(std::move(levels));
+  }
   if (inspection.errors.empty()) TellGround(watcher, waves);
   return inspection;
 }

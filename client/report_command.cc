@@ -11,6 +11,7 @@
 #include "client/report_text.h"
 #include "client/unfinished.h"
 #include "common/util/files.h"
+#include "common/util/text.h"
 #include "coordinator/report/json_access.h"
 
 namespace tilemend {
@@ -42,6 +43,8 @@ int ReportCommand(const Args& args) {
   if (args.Switch("html")) {
     const absl::Status written = WriteReportPage(path.has_parent_path() ? path.parent_path().string() : ".");
     if (!written.ok()) return PrintError(written);
+    const std::filesystem::path page = path.parent_path() / "report.html";
+    std::fprintf(stderr, "tilemend: wrote %s\n", Printable(page.string()).c_str());
   }
   std::fputs((*format == OutputFormat::kJson ? *content : ReportText(report)).c_str(), stdout);
   return kExitDone;

@@ -46,9 +46,25 @@ inline std::string Decimals(const nlohmann::ordered_json& value, int digits) {
   return value.is_number() ? absl::StrFormat("%.*f", digits, value.get<double>()) : Text(value);
 }
 
-// An area in square metres with one decimal; those of loops that run the wrong way round are negative.
+// An area in square metres with one decimal, below 1 with two significant digits. Those of loops that run the wrong way
+// round are negative.
+inline std::string AreaText(double area) {
+  const double size = std::abs(area);
+  if (size == 0 || size >= 1) return absl::StrFormat("%.1f", size);
+  if (size < 1e-4) return absl::StrFormat("%.2g", size);
+  return absl::StrFormat("%.*f", 1 - static_cast<int>(std::floor(std::log10(size))), size);
+}
+
+// The same; "-" if it is not known.
 inline std::string AreaText(const nlohmann::ordered_json& value) {
-  return value.is_number() ? absl::StrFormat("%.1f", std::abs(value.get<double>())) : Text(value);
+  if (value.is_null()) return "-";
+  return value.is_number() ? AreaText(value.get<double>()) : Text(value);
+}
+
+// A place in a scene (two coordinates) with two decimals. That of a mesh, which may be small, is as precise as it is.
+inline std::string CentreText(const nlohmann::ordered_json& value) {
+  if (!value.is_array() || value.size() != 2) return Text(value);
+  return "[" + Decimals(value[0], 2) + "," + Decimals(value[1], 2) + "]";
 }
 
 }  // namespace tilemend

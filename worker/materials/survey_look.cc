@@ -62,9 +62,11 @@ absl::StatusOr<LookSurvey> SurveyPly(const std::string& root, const std::string&
 
 std::string MissingText(const std::string& name, const std::vector<std::string>& missing) {
   const std::string first = absl::StrCat("\"", Printable(Shortened(missing.front(), 80)), "\"");
-  const std::string others = missing.size() > 1 ? absl::StrCat(" and ", missing.size() - 1, " more") : "";
-  return absl::StrCat(name, ": names ", first, others,
-                      ", not there: the next coarser level is filled in its place, or a hole if there is none");
+  const std::string what =
+      missing.size() == 1
+          ? absl::StrCat(": a file that this tile names is missing, ", first)
+          : absl::StrCat(": ", missing.size(), " files that this tile names are missing, such as ", first);
+  return absl::StrCat(name, what, ": the next coarser level is filled in its place, or a hole if there is none");
 }
 
 absl::StatusOr<LookSurvey> SurveyTree(const std::string& path, std::string_view pack, const std::string& name,
