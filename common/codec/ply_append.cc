@@ -45,6 +45,17 @@ bool IsAlpha(const PlyProperty& property) {
   return !property.is_list && property.name == "alpha" && property.type == PlyType::kUint8;
 }
 
+size_t PlaceIn(const std::array<size_t, 3>& properties, size_t property) {
+  return static_cast<size_t>(std::find(properties.begin(), properties.end(), property) - properties.begin());
+}
+
+std::optional<Rgb> ColourOfFace(const FilePatch& patch, size_t t) {
+  const auto& runs = patch.materials;
+  const auto next = std::upper_bound(runs.begin(), runs.end(), static_cast<int64_t>(t),
+                                     [](int64_t k, const FilePatch::MaterialRun& run) { return k < run.first; });
+  return next == runs.begin() ? std::nullopt : (next - 1)->colour;
+}
+
 // Writes the records of a patch and copies those of the file: what text and binary bodies have in common.
 class PlyAppender {
  public:
@@ -60,7 +71,8 @@ class PlyAppender {
         vertex_(header.elements[header.vertex]),
         face_(header.elements[header.face]),
         ascii_(header.encoding == PlyEncoding::kAscii),
-        swap_(NeedsSwap(header.encoding)) {
+        swap_(NeedsSwap(header.encoding)),
+        places_(bytes, ascii_, swap_) {
     const auto is_mark = [](const PlyProperty& property) { return property.name == kFilledProperty; };
     add_mark_ = std::none_of(face_.properties.begin(), face_.properties.end(), is_mark);
     if (!patch.colours.empty()) colour_properties_ = ColourProperties(vertex_);
@@ -155,28 +167,9 @@ class PlyAppender {
     for (size_t k = 0; k < faces; ++k, from += kBytes, to += kBytes + 1) std::memcpy(to, from, kBytes);
   }
 
-  int64_t BinaryCount(const PlyProperty& property, size_t at) const {
-    return WithPlyType(property.count_type, [&](auto sample) {
-      return static_cast<int64_t>(LoadValue<decltype(sample)>(bytes_.data() + at, swap_));
-    });
-  }
-
-  // Where a property that begins at `at` ends.
-  size_t EndOf(const PlyProperty& property, size_t at) const {
-    if (ascii_) {
-      for (int64_t words = WordsOf(property, at); words > 0; --words) at = NextWord(at).second;
-      return at;
-    }
-    size_t size = SizeOf(property.type);
-    if (property.is_list) {
-      size = SizeOf(property.count_type) + static_cast<size_t>(BinaryCount(property, at)) * size;
-    }
-    return at + size;
-  }
-
   // Copies a binary property that begins at `at`; returns where it ends.
   size_t CopyProperty(const PlyProperty& property, size_t at) {
-    const size_t end = EndOf(property, at);
+    const size_t end = places_.EndOf(property, at);
     out_ += bytes_.substr(at, end - at);
     return end;
   }
@@ -188,7 +181,7 @@ class PlyAppender {
         at = CopyProperty(property, at);
         continue;
       }
-      const int64_t count = BinaryCount(property, at);
+      const int64_t count = places_.BinaryCount(property, at);
       out_ += bytes_.substr(at, SizeOf(property.count_type));
       at += SizeOf(property.count_type);
       for (int64_t k = 0; k < count; ++k, at += SizeOf(property.type)) {
@@ -266,7 +259,7 @@ class PlyAppender {
         other(property);
         continue;
       }
-      if (at != nullptr) *at = ascii_ ? NextWord(*at).second : *at + SizeOf(property.type);
+      if (at != nullptr) *at = ascii_ ? places_.NextWord(*at).second : *at + SizeOf(property.type);
     }
   }
 
@@ -274,29 +267,10 @@ class PlyAppender {
     Put(int64_t{std::array{c.r, c.g, c.b}[channel]}, PlyType::kUint8);  // as ColourProperties has them
   }
 
-  static size_t PlaceIn(const std::array<size_t, 3>& properties, size_t property) {
-    return static_cast<size_t>(std::find(properties.begin(), properties.end(), property) - properties.begin());
-  }
-
-  // The next word of a text body from `at`, and where it ends.
-  std::pair<std::string_view, size_t> NextWord(size_t at) const {
-    while (at < bytes_.size() && IsSpace(bytes_[at])) ++at;
-    const size_t begin = at;
-    while (at < bytes_.size() && !IsSpace(bytes_[at])) ++at;
-    return {bytes_.substr(begin, at - begin), at};
-  }
-
-  // Of a property that begins at `at` in a text body.
-  int64_t WordsOf(const PlyProperty& property, size_t at) const {
-    if (!property.is_list) return 1;
-    const std::string_view count = NextWord(at).first;
-    return 1 + ParseIntegerAt(count.data(), count.data() + count.size()).value;
-  }
-
   size_t CopyWords(const PlyProperty& property, size_t at) {
-    const int64_t words = WordsOf(property, at);
+    const int64_t words = places_.WordsOf(property, at);
     for (int64_t i = 0; i < words; ++i) {
-      const auto [word, end] = NextWord(at);
+      const auto [word, end] = places_.NextWord(at);
       if (!line_begins_) out_ += ' ';
       line_begins_ = false;
       out_ += word;
@@ -325,7 +299,7 @@ class PlyAppender {
   }
 
   void WriteFilledFace(size_t t) {
-    const std::optional<Rgb> colour = face_colours_ ? FaceColour(t) : std::nullopt;
+    const std::optional<Rgb> colour = face_colours_ ? ColourOfFace(patch_, t) : std::nullopt;
     for (size_t i = 0; i < face_.properties.size(); ++i) {
       const PlyProperty& property = face_.properties[i];
       const size_t channel = colour ? PlaceIn(*face_colours_, i) : 3;
@@ -348,21 +322,14 @@ class PlyAppender {
       const PlyProperty& property = face_.properties[i];
       if (i == header_.corners) {
         PutCorners(patch_.triangles[t]);
-        at = EndOf(property, at);
+        at = places_.EndOf(property, at);
       } else if (property.name == kFilledProperty && !property.is_list) {
         Put(int64_t{1}, property.type);
-        at = EndOf(property, at);
+        at = places_.EndOf(property, at);
       } else {
         at = ascii_ ? CopyWords(property, at) : CopyProperty(property, at);
       }
     }
-  }
-
-  std::optional<Rgb> FaceColour(size_t t) const {
-    const auto& runs = patch_.materials;
-    const auto next = std::upper_bound(runs.begin(), runs.end(), static_cast<int64_t>(t),
-                                       [](int64_t k, const FilePatch::MaterialRun& run) { return k < run.first; });
-    return next == runs.begin() ? std::nullopt : (next - 1)->colour;
   }
 
   const std::string_view bytes_;
@@ -375,6 +342,7 @@ class PlyAppender {
   const PlyElement& face_;
   const bool ascii_;
   const bool swap_;
+  const PlyPlaces places_;
   bool add_mark_ = true;
   bool widen_ = false;
   PlyType index_type_ = PlyType::kInt32;
