@@ -23,6 +23,7 @@
 #include "common/util/status_macros.h"
 #include "coordinator/report/area_choice.h"
 #include "coordinator/report/json_access.h"
+#include "coordinator/report/shallow_json.h"
 #include "coordinator/report/tile_checks.h"
 #include "worker/check/added_faults.h"
 #include "worker/check/fill_pieces.h"

@@ -29,6 +29,7 @@
 #include "common/util/text.h"
 #include "coordinator/report/area_choice.h"
 #include "coordinator/report/json_access.h"
+#include "coordinator/report/shallow_json.h"
 #include "coordinator/report/tile_checks.h"
 #include "worker/check/mesh_defects.h"
 

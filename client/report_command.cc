@@ -13,6 +13,7 @@
 #include "common/util/files.h"
 #include "common/util/text.h"
 #include "coordinator/report/json_access.h"
+#include "coordinator/report/shallow_json.h"
 
 namespace tilemend {
 namespace {

@@ -18,19 +18,6 @@ inline const nlohmann::ordered_json& Member(const nlohmann::ordered_json& object
   return it == object.end() ? kNull : *it;
 }
 
-inline constexpr int kMostDepth = 64;
-
-// A file that people may have changed. What is nested deeper than kMostDepth is left out: to write 60,000 levels again
-// takes more stack than there is. Discarded (is_discarded) if it is no JSON.
-inline nlohmann::ordered_json ParseShallow(const std::string& text) {
-  using Json = nlohmann::ordered_json;
-  const auto is_shallow = [](int depth, Json::parse_event_t event, const Json&) {
-    return depth <= kMostDepth ||
-           (event != Json::parse_event_t::object_start && event != Json::parse_event_t::array_start);
-  };
-  return Json::parse(text, is_shallow, false);
-}
-
 // A text as it is, "" of null, other values as JSON.
 inline std::string Text(const nlohmann::ordered_json& value) {
   if (value.is_null()) return "";

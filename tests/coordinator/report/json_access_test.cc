@@ -36,14 +36,5 @@ TEST(JsonAccessTest, CentresOfASceneHaveTwoDecimals) {
   EXPECT_EQ(CentreText(Json()), "");
 }
 
-TEST(JsonAccessTest, WhatIsNestedTooDeepIsLeftOut) {
-  const std::string deep(100000, '['), end(100000, ']');
-  const auto json = ParseShallow(R"({"a": [1, {"b": 2}], "look_at": )" + deep + end + "}");
-  ASSERT_TRUE(json.is_object());
-  EXPECT_EQ(json["a"].dump(), R"([1,{"b":2}])");
-  EXPECT_LT(json.dump().size(), 1000u);
-  EXPECT_TRUE(ParseShallow("{").is_discarded());
-}
-
 }  // namespace
 }  // namespace tilemend
