@@ -1,6 +1,7 @@
 #include "coordinator/report/shallow_json.h"
 
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -9,37 +10,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-class ShallowReader : public nlohmann::json_sax<Json> {
+// The values of a text as they come: those that are open, and what they hold.
+class OpenLevels {
  public:
-  explicit ShallowReader(const ShallowOptions& options) : options_(options) {}
+  explicit OpenLevels(const ShallowOptions& options) : options_(options) {}
 
   Json TakeWhole() { return std::move(whole_); }
 
-  bool null() override { return Add(nullptr); }
-  bool boolean(bool value) override { return Add(value); }
-  bool number_integer(number_integer_t value) override { return Add(value); }
-  bool number_unsigned(number_unsigned_t value) override { return Add(value); }
-  bool number_float(number_float_t value, const string_t&) override { return Add(value); }
-  bool string(string_t& value) override { return Add(std::move(value)); }
-  bool binary(binary_t&) override { return false; }  // JSON has none
-  bool start_object(size_t) override { return Open(Json::value_t::object); }
-  bool end_object() override { return Close(); }
-  bool start_array(size_t) override { return Open(Json::value_t::array); }
-  bool end_array() override { return Close(); }
-  bool key(string_t& name) override {
+  // The name of the value that comes next, in an object.
+  void Name(std::string name) {
     if (too_deep_ == 0) open_.back().member = std::move(name);
-    return true;
   }
-  bool parse_error(size_t, const std::string&, const nlohmann::detail::exception&) override { return false; }
 
- private:
-  // A list or an object whose end has not come.
-  struct Level {
-    Json value;
-    std::string member = {};  // of an object: the name of the value that comes next
-  };
-
-  // To the innermost level.
+  // To the innermost level. False: reading is to stop, as below.
   bool Add(Json value) {
     if (options_.stop.stop_requested()) return false;
     if (too_deep_ > 0) return true;
@@ -72,17 +55,50 @@ class ShallowReader : public nlohmann::json_sax<Json> {
     return (options_.keep && !options_.keep(static_cast<int>(open_.size()), value)) || Add(std::move(value));
   }
 
+ private:
+  // A list or an object whose end has not come.
+  struct Level {
+    Json value;
+    std::string member = {};  // of an object: the name of the value that comes next
+  };
+
   const ShallowOptions& options_;
   Json whole_;
   std::vector<Level> open_;  // the outermost first
   size_t too_deep_ = 0;      // levels that are open and left out
 };
 
+class ShallowReader : public nlohmann::json_sax<Json> {
+ public:
+  explicit ShallowReader(OpenLevels& levels) : levels_(levels) {}
+
+  bool null() override { return levels_.Add(nullptr); }
+  bool boolean(bool value) override { return levels_.Add(value); }
+  bool number_integer(number_integer_t value) override { return levels_.Add(value); }
+  bool number_unsigned(number_unsigned_t value) override { return levels_.Add(value); }
+  bool number_float(number_float_t value, const string_t&) override { return levels_.Add(value); }
+  bool string(string_t& value) override { return levels_.Add(std::move(value)); }
+  bool binary(binary_t&) override { return false; }  // JSON has none
+  bool start_object(size_t) override { return levels_.Open(Json::value_t::object); }
+  bool end_object() override { return levels_.Close(); }
+  bool start_array(size_t) override { return levels_.Open(Json::value_t::array); }
+  bool end_array() override { return levels_.Close(); }
+  bool key(string_t& name) override {
+    levels_.Name(std::move(name));
+    return true;
+  }
+  bool parse_error(size_t, const std::string&, const nlohmann::detail::exception&) override { return false; }
+
+ private:
+  OpenLevels& levels_;
+};
+
 }  // namespace
 
 Json ParseShallow(const std::string& text, const ShallowOptions& options) {
-  ShallowReader reader(options);
-  return Json::sax_parse(text, &reader) ? reader.TakeWhole() : Json(Json::value_t::discarded);
+  OpenLevels levels(options);
+  ShallowReader reader(levels);
+  return Json::sax_parse(text, &reader) ? levels.TakeWhole() : Json(Json::value_t::discarded);
 }
 
 }  // namespace tilemend
