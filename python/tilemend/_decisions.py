@@ -41,14 +41,25 @@ def write_decisions(report: Dict[str, Any], outlines: str, path: Path, decisions
     if without:
         raise InvalidInput(f'decisions: {os.path.basename(outlines)} has no polygon of hole '
                            f'{", ".join(map(str, sorted(without)))}, so nothing can be decided on it')
-    text = json.dumps(dict(collection, features=features))
+    _write(os.fsdecode(path), json.dumps(dict(collection, features=features)), overwrite, outlines)
+
+
+def _write(path: str, text: str, overwrite: bool, outlines: str) -> None:
+    """Whole or not at all, and never over a file of the output."""
+    for own in (outlines, os.path.join(os.path.dirname(outlines), 'report.json')):
+        if os.path.exists(path) and os.path.exists(own) and os.path.samefile(path, own):
+            raise InvalidInput(f'{path}: is a file of the output; choose another path')
+    if os.path.lexists(path) and not overwrite:
+        raise AlreadyExists(f'{path}: exists already; choose another path, or give overwrite=True')
+    part = f'{path}.part-{os.getpid()}'
     try:
-        with open(path, 'w' if overwrite else 'x', encoding='utf-8') as file:
+        with open(part, 'w', encoding='utf-8') as file:
             file.write(text)
-    except FileExistsError:
-        raise AlreadyExists(f'{os.fsdecode(path)}: exists already; choose another path, or give overwrite=True') from None
+        os.replace(part, path)
     except OSError as error:
-        raise InvalidInput(f'{os.fsdecode(path)}: cannot be written: {error.strerror}') from None
+        if os.path.exists(part):
+            os.remove(part)
+        raise InvalidInput(f'{path}: cannot be written: {error.strerror}') from None
 
 
 def _read(path: str) -> Dict[str, Any]:
@@ -79,8 +90,10 @@ def _properties(hole: int, decision: Decision) -> Optional[Dict[str, Any]]:
 
 
 def _earlier(properties: Dict[str, Any]) -> Optional[Dict[str, Any]]:
+    """A level without a sigma was given; one with a sigma was found on the shore, and is to be found there again."""
     kind = properties.get('decision')
-    return kind and {'decision': kind, 'level_m': properties.get('level_m') if kind == 'water' else None}
+    is_given = kind == 'water' and properties.get('sigma_m') is None
+    return kind and {'decision': kind, 'level_m': properties.get('level_m') if is_given else None}
 
 
 def _group(report: Dict[str, Any], hole: int) -> List[int]:

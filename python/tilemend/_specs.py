@@ -77,6 +77,8 @@ def _is_file(name: str, value: Any) -> bool:
 def _absolute(path: Path) -> str:
     """A path of this process's folder as others see it; s3:// and the like stay."""
     text = os.fspath(path)
+    if not text:
+        raise InvalidInput('an empty path')
     if not isinstance(text, str):
         raise TypeError(f'path: has type {type(text).__name__}; expected text')
     if text.startswith('s3:/') and not text.startswith('s3://'):

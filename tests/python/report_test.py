@@ -61,6 +61,30 @@ class ReportTest(unittest.TestCase):
         with self.assertRaisesRegex(tilemend.NotFound, 'holes.geojson: no such file'):
             report.write_decisions(os.path.join(self.folder, 'd.geojson'), {})
 
+    def test_decisions_are_written_whole_and_over_no_file_of_the_output(self):
+        self.write('report.json', EMPTY)
+        ring = [[0, 0], [1, 0], [1, 1], [0, 0]]
+        found = {'hole': 3, 'decision': 'water', 'level_m': 2.5, 'sigma_m': 0.1}
+        self.write('holes.geojson', {'type': 'FeatureCollection', 'features': [
+            {'type': 'Feature', 'properties': properties, 'geometry': {'type': 'Polygon', 'coordinates': [ring]}}
+            for properties in (found, dict(found, hole=4, sigma_m=None))]})
+        report = tilemend.read_report(self.folder)
+        for name in ('report.json', 'holes.geojson'):
+            with self.assertRaisesRegex(tilemend.InvalidInput, f'{name}: is a file of the output'):
+                report.write_decisions(os.path.join(self.folder, name), {}, overwrite=True)
+        with self.assertRaisesRegex(tilemend.InvalidInput, 'cannot be written'):
+            report.write_decisions(os.path.join(self.folder, 'none', 'd.geojson'), {})
+        path = os.path.join(self.folder, 'd.geojson')
+        report.write_decisions(path, {})
+        with open(path, encoding='utf-8') as file:
+            rows = [feature['properties'] for feature in json.load(file)['features']]
+        self.assertEqual([(row['hole'], row['level_m']) for row in rows], [(3, None), (4, 2.5)])
+        self.assertEqual(sorted(os.listdir(self.folder)), ['d.geojson', 'holes.geojson', 'report.json'])
+
+    def test_an_empty_path_is_no_folder(self):
+        with self.assertRaisesRegex(tilemend.InvalidInput, 'an empty path'):
+            tilemend.Client('127.0.0.1:9').submit('scene', '')
+
     def test_a_table_begins_with_the_place_and_has_one_empty_value(self):
         need(self, 'pandas')
         hole = {'id': 0, 'cell': [2, 1], 'kind': 'I', 'area_m2': 3.5, 'centre': [1, 2], 'outcome': 'filled'}
