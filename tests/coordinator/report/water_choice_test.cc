@@ -104,7 +104,7 @@ TEST(WaterChoiceTest, WhatIsClearedHasToLieInTheArea) {
   EXPECT_TRUE(KeepClearInside({}, across).ok());
 }
 
-// A ring of n points with teeth, each of its points compared with an area of n points in teeth around or across it.
+// A ring of n points: a circle with a tooth at every other point.
 PlanePolygon Teeth(int32_t n, double radius, double depth) {
   std::vector<Point2> ring;
   for (int32_t i = 0; i < n; ++i) {
@@ -114,7 +114,7 @@ PlanePolygon Teeth(int32_t n, double radius, double depth) {
   return {{ring}};
 }
 
-// Comparing each point with each would take a minute.
+// To compare each point with each would take a minute.
 TEST(WaterChoiceTest, LongRingsAreComparedWithALongArea) {
   constexpr int32_t kPoints = 50'000;
   const auto side = [&](double radius, double depth) {
@@ -125,8 +125,8 @@ TEST(WaterChoiceTest, LongRingsAreComparedWithALongArea) {
     return KeepClearInside(Teeth(kPoints, 1000, 10), choice).ok();
   };
   EXPECT_TRUE(side(980, 10));
-  EXPECT_FALSE(side(980, 25));
-  EXPECT_FALSE(side(1005, 10));
+  EXPECT_FALSE(side(980, 40)) << "its teeth cross those of the area";
+  EXPECT_FALSE(side(1005, 10)) << "it lies around the area";
 }
 
 TEST(WaterChoiceTest, NamesAFileThatCannotBeUsed) {
