@@ -23,6 +23,7 @@
 #include "common/util/status_macros.h"
 #include "coordinator/report/area_choice.h"
 #include "coordinator/report/json_access.h"
+#include "coordinator/report/shallow_json.h"
 #include "coordinator/report/tile_checks.h"
 #include "worker/check/added_faults.h"
 #include "worker/check/fill_pieces.h"
@@ -350,7 +351,7 @@ class AcceptanceCheck {
     for (const std::string& path : tiles.missing) Add(kMissingTile, cells[path], std::nullopt, path);
     for (const std::string& path : tiles.others) Add(kOtherMesh, {}, std::nullopt, path);
     for (const ReportedOutput::Left& left : reported_.left) {
-      Add(kLeftHole, left.cell, Point3(left.at.x(), left.at.y(), 0), left.reason);
+      Add(kLeftHole, left.cell, left.at, left.reason);
     }
   }
 

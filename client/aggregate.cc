@@ -43,7 +43,7 @@ absl::StatusOr<FilePatch> Join(const Scene& scene, Progress& progress) {
   for (const SceneTile& tile : scene.tiles) progress.all += tile.path.empty() ? 0 : 1;
   for (const SceneTile& tile : scene.tiles) {
     if (tile.path.empty()) continue;
-    TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(absl::StrCat(scene.root, "/", tile.path)));
+    TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(absl::StrCat(scene.root, "/", tile.path), tile.frame));
     std::vector<int32_t> of_point;
     for (const Point3& p : file.mesh.points) {
       const auto [it, is_new] =

@@ -29,6 +29,7 @@
 #include "common/util/text.h"
 #include "coordinator/report/area_choice.h"
 #include "coordinator/report/json_access.h"
+#include "coordinator/report/shallow_json.h"
 #include "coordinator/report/tile_checks.h"
 #include "worker/check/mesh_defects.h"
 
@@ -74,8 +75,8 @@ struct Findings {
   OutputTiles tiles;                // of an output
 };
 
-absl::Status CheckFile(const std::string& path, const CheckLimits& limits, Findings& all) {
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(path));
+absl::Status CheckFile(const std::string& path, const TileFrame& frame, const CheckLimits& limits, Findings& all) {
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(path, frame));
   all.triangles += std::ssize(file.mesh.triangles);
   if (file.bytes_after_end > 0) all.longer.push_back(path);
   for (const auto& [defect, finding] : FindDefects(file.mesh, limits)) {
@@ -250,6 +251,8 @@ void PrintTable(const Json& json) {
   for (const auto& [name, count] : holes["single"].items()) {
     if (count.get<int64_t>() > 0) absl::StrAppend(&text, absl::StrFormat("%9d    %s\n", count.get<int64_t>(), name));
   }
+  const int64_t open = holes["open"].get<int64_t>();
+  if (open > 0) absl::StrAppend(&text, absl::StrFormat("%9d    over a border between tiles\n", open));
   absl::StrAppend(&text, absl::StrFormat("%9d  boundary edges in no loop", holes["edges_in_no_loop"].get<int64_t>()),
                   first(holes["edges_in_no_loop_at"]),
                   absl::StrFormat("\n%9d  outlines (no fault)\n", json["outlines"].get<int64_t>()), FilesText(json));
@@ -283,7 +286,7 @@ int Finish(const std::string& path, const Limits& limits, const Findings& all, c
 
 int CheckMesh(const std::string& path, const Limits& limits, OutputFormat format) {
   Findings all;
-  if (const absl::Status status = CheckFile(path, limits.mesh, all); !status.ok()) return PrintError(status);
+  if (const absl::Status status = CheckFile(path, {}, limits.mesh, all); !status.ok()) return PrintError(status);
   const auto file = ReadMeshFile(path);
   if (!file.ok()) return PrintError(file.status());
   WaveOptions options;
@@ -307,7 +310,8 @@ int CheckScene(const std::string& path, const Limits& limits, OutputFormat forma
   for (const SceneTile& tile : inspection.waves->scene().tiles) {
     if (tile.path.empty()) continue;
     const std::string file = absl::StrCat(inspection.waves->scene().root, "/", tile.path);
-    if (const absl::Status status = CheckFile(file, limits.mesh, all); !status.ok()) return PrintError(status);
+    const absl::Status status = CheckFile(file, tile.frame, limits.mesh, all);
+    if (!status.ok()) return PrintError(status);
   }
   return Finish(path, limits, all, inspection.waves->plan(), format);
 }

@@ -41,7 +41,7 @@ absl::StatusOr<CheckedTile> ReadCheckedTile(const std::string& root, const std::
   if (format == MeshFormat::kObj) {
     TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name, NoFaces::kAccept));
     tile.faces.mesh = std::move(obj.file.mesh);
-    tile.faces.looks = ObjFaceLooks(obj.textures, tile.faces.mesh.triangles.size());
+    tile.faces.looks = ObjFaceLooks(obj.textures, tile.faces.mesh.triangles);
     TILEMEND_ASSIGN_OR_RETURN(TileLook look, ReadObjLook(root, path, obj.textures));
     tile.files = std::move(look.files);
     return tile;

@@ -50,8 +50,7 @@ int DemoCommand(const Args& args) {
   if (code != kExitDone) return code;
   std::printf("\nBefore:  %s/scene/tiles\nAfter:   %s/out/tiles (faces with tilemend_filled = 1 are new)\n",
               shown.c_str(), shown.c_str());
-  std::printf("Page:    %s/out/report.html (open it in a browser)\nYours:   tilemend run SCENE --out DIR\n",
-              shown.c_str());
+  std::printf("Yours:   tilemend run SCENE --out DIR\n");
   return kExitDone;
 }
 

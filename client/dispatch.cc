@@ -24,6 +24,12 @@ std::vector<FlagSpec> OwnFlags() {
   return {DescribeFlag(), {"version", "", "show the release", ""}, {"help", "", "show this", "", 'h'}};
 }
 
+// `code`, unless what was printed does not reach standard output, as on a full disk.
+int AfterPrinting(int code) {
+  const absl::Status printed = FlushOutput();
+  return printed.ok() ? code : PrintError(printed);
+}
+
 int PrintDescription(const std::vector<Command>& commands, const std::string& form) {
   Manual manual{"tilemend",
                 "fills the holes of very large triangle meshes that are stored as tiles",
@@ -37,7 +43,7 @@ int PrintDescription(const std::vector<Command>& commands, const std::string& fo
   const auto text = Describe(manual, form);
   std::fputs(text.ok() ? text->c_str() : absl::StrCat("tilemend: ", std::string(text.status().message()), "\n").c_str(),
              text.ok() ? stdout : stderr);
-  return text.ok() ? kExitDone : kExitUsage;
+  return AfterPrinting(text.ok() ? kExitDone : kExitUsage);
 }
 
 std::string Help(const std::vector<Command>& commands) {
@@ -119,9 +125,7 @@ int RunParsed(const Command& command, const std::vector<std::string>& words) {
         absl::StrCat(command.name, ": s3:// paths are for run, submit, inspect and report; copy to a folder"));
   }
   try {
-    const int code = command.run(*args);
-    const absl::Status printed = FlushOutput();
-    return printed.ok() ? code : PrintError(printed);
+    return AfterPrinting(command.run(*args));
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "tilemend: %s: out of memory; use larger triangles (no --uniform) or a larger machine\n",
                  command.name.c_str());
@@ -138,13 +142,13 @@ int Dispatch(const std::vector<Command>& commands, const std::vector<std::string
   }
   if (words[0] == "--version" || words[0] == "version") {
     std::printf("tilemend %s\n", Version());
-    return kExitDone;
+    return AfterPrinting(kExitDone);
   }
   if (words[0] == "--describe") return PrintDescription(commands, words.size() > 1 ? words[1] : "");
   const bool help = words[0] == "help" || words[0] == "--help" || words[0] == "-h";
   if (help && words.size() == 1) {
     std::fputs(Help(commands).c_str(), stdout);
-    return kExitDone;
+    return AfterPrinting(kExitDone);
   }
   const std::string& name = help ? words[1] : words[0];
   std::vector<std::string> names = {"help"};
@@ -155,7 +159,7 @@ int Dispatch(const std::vector<Command>& commands, const std::vector<std::string
     const bool all = Has(rest, "--help-all");
     if (!help && !all && !Has(rest, "--help") && !Has(rest, "-h")) return RunParsed(command, rest);
     std::fputs(HelpOf(command, all).c_str(), stdout);
-    return kExitDone;
+    return AfterPrinting(kExitDone);
   }
   return UsageError(absl::StrCat("unknown command '", name, "'", DidYouMean(name, names)));
 }

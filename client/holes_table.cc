@@ -11,6 +11,7 @@
 #include "client/output.h"
 #include "client/repeated_reasons.h"
 #include "coordinator/report/json_access.h"
+#include "coordinator/report/left_open.h"
 
 namespace tilemend {
 namespace {
@@ -44,7 +45,7 @@ void Add(const Json& hole, Tally& tally) {
 }
 
 std::vector<std::string> Row(const std::string& name, const Tally& tally) {
-  return {name, absl::StrCat(tally.holes), absl::StrCat(tally.filled), absl::StrFormat("%.1f", tally.area)};
+  return {name, absl::StrCat(tally.holes), absl::StrCat(tally.filled), AreaText(tally.area)};
 }
 
 // "lake at 3.250 m, sigma 0.020 m", "ground", or the level alone of a hole that was not judged.
@@ -77,6 +78,7 @@ std::string KindsText(const Json& report) {
   std::map<std::string, Tally> kinds;
   Tally all;
   for (const Json& hole : Member(report, "per_hole")) {
+    if (Member(hole, "reason") == kNotChosen) continue;
     Add(hole, kinds[KindOf(hole)]);
     Add(hole, all);
   }
@@ -98,7 +100,7 @@ std::string MethodsText(const Json& report) {
   }
   std::vector<std::vector<std::string>> rows;
   for (const auto& [method, tally] : methods) {
-    rows.push_back({method, absl::StrCat(tally.filled), absl::StrFormat("%.1f", tally.area)});
+    rows.push_back({method, absl::StrCat(tally.filled), AreaText(tally.area)});
   }
   return rows.empty() ? "" : absl::StrCat("\n", Table({"how filled", "holes", "area, m2"}, rows));
 }
@@ -110,7 +112,7 @@ std::string LargeHolesText(const Json& report) {
   Rows rows;
   for (size_t i = 0; i < std::min(holes.size(), kMostListedRows); ++i) {
     const Json& hole = *holes[i];
-    rows.push_back({Text(Member(hole, "id")), Text(Member(hole, "cell")), Text(Member(hole, "centre")),
+    rows.push_back({Text(Member(hole, "id")), Text(Member(hole, "cell")), CentreText(Member(hole, "centre")),
                     AreaText(Member(hole, "area_m2")), WaterOf(hole), Text(Member(Member(hole, "water"), "reason"))});
   }
   ShortenRepeated(rows);
@@ -124,7 +126,7 @@ std::string LookAtText(const Json& report) {
   Rows rows;
   for (const Json& item : items) {
     if (rows.size() == kMostListedRows || !item.is_object()) break;
-    rows.push_back({Text(Member(item, "hole")), Text(Member(item, "cell")), Text(Member(item, "centre")),
+    rows.push_back({Text(Member(item, "hole")), Text(Member(item, "cell")), CentreText(Member(item, "centre")),
                     AreaText(Member(item, "area_m2")), Text(Member(item, "why"))});
   }
   if (rows.empty()) return "";
@@ -141,8 +143,9 @@ std::string PlannedHolesText(const Json& plan) {
   Rows rows;
   for (size_t i = 0; i < std::min(holes.size(), kMostListedRows); ++i) {
     const Json& hole = *holes[i];
-    rows.push_back({Text(Member(hole, "id")), KindOf(hole), Text(Member(hole, "cell")), Text(Member(hole, "centre")),
-                    AreaText(Member(hole, "area_m2")), Decimals(Member(hole, "perimeter_m"), 1), WaterOf(hole),
+    rows.push_back({Text(Member(hole, "id")), KindOf(hole), Text(Member(hole, "cell")),
+                    CentreText(Member(hole, "centre")), AreaText(Member(hole, "area_m2")),
+                    Decimals(Member(hole, "perimeter_m"), 1), WaterOf(hole),
                     Text(Member(Member(hole, "water"), "reason"))});
   }
   ShortenRepeated(rows);

@@ -101,7 +101,7 @@ std::string HolesLine(const Json& plan) {
 
 std::string PlanText(const Json& plan) {
   return absl::StrCat(PlannedHolesText(plan), WaterText(plan, "to fill flat as water"), LookAtText(plan),
-                      LeftText(plan, "that stay open"));
+                      LeftText(plan, "left open"));
 }
 
 std::string SceneText(const Inspection& inspection, const Json& plan) {
@@ -164,8 +164,7 @@ absl::StatusOr<PlanOptions> PlanOptionsOf(const Request& request, Scene& scene) 
   return options;
 }
 
-absl::StatusOr<Inspection> InspectSceneOf(const Request& request) {
-  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(request.path, ReadTileBounds, ReadTilesets));
+absl::StatusOr<Inspection> InspectSceneOf(const Request& request, Scene scene) {
   CheckCrs(scene);
   TILEMEND_RETURN_IF_ERROR(ApplyAreaChoice(request.area, scene).status());
   TILEMEND_ASSIGN_OR_RETURN(const PlanOptions options, PlanOptionsOf(request, scene));
@@ -206,10 +205,48 @@ absl::Status ProposeWater(const Request& request, const SceneWaves& waves) {
   return absl::OkStatus();
 }
 
-absl::Status CheckOutputs(const Request& request) {
+std::vector<std::string> OutputsOf(const Request& request) {
   std::vector<std::string> files = {request.holes, request.propose_area, request.propose_water};
   std::erase(files, "");
-  if (std::set(files.begin(), files.end()).size() < files.size()) {
+  return files;
+}
+
+// Absolute, links followed as far as the path exists.
+std::filesystem::path Resolved(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path absolute = std::filesystem::absolute(path, error);
+  std::filesystem::path resolved = std::filesystem::weakly_canonical(absolute, error);
+  return error ? absolute : resolved;
+}
+
+// The files that are read: those of the scene and those that flags name. Some need not exist.
+std::vector<std::string> InputsOf(const Request& request, const Scene& scene) {
+  std::vector<std::string> files = {request.area, request.water, request.clear, request.decisions, scene.area_file};
+  const std::string folder = scene.root.empty() ? "" : absl::StrCat(scene.root, "/");  // none of a single mesh
+  for (const SceneTile& tile : scene.tiles) files.push_back(absl::StrCat(folder, tile.path));
+  if (folder.empty()) return files;
+  for (const char* name : {"scene.json", "tileset.json", "metadata.xml"}) files.push_back(absl::StrCat(folder, name));
+  return files;
+}
+
+absl::Status CheckInputsStay(const Request& request, const Scene& scene) {
+  std::error_code error;
+  const std::vector<std::string> inputs = InputsOf(request, scene);
+  for (const std::string& output : OutputsOf(request)) {
+    if (!std::filesystem::exists(output, error)) continue;
+    for (const std::string& input : inputs) {
+      if (!std::filesystem::equivalent(input, output, error)) continue;
+      return absl::InvalidArgumentError(
+          absl::StrCat(output, ": is read as input, so it is not replaced; choose another name for the output"));
+    }
+  }
+  return absl::OkStatus();
+}
+
+absl::Status CheckOutputs(const Request& request) {
+  std::set<std::filesystem::path> files;
+  for (const std::string& file : OutputsOf(request)) files.insert(Resolved(file));
+  if (files.size() < OutputsOf(request).size()) {
     return absl::InvalidArgumentError("--holes, --propose-area and --propose-water: give each a file of its own");
   }
   const std::string ending = absl::AsciiStrToLower(std::filesystem::path(request.holes).extension().string());
@@ -225,7 +262,10 @@ absl::Status CheckOutputs(const Request& request) {
 
 int InspectSceneAt(const Request& request) {
   if (const absl::Status status = CheckOutputs(request); !status.ok()) return PrintError(status);
-  const auto inspection = InspectSceneOf(request);
+  auto scene = LoadScene(request.path, ReadTileBounds, ReadTilesets);
+  if (!scene.ok()) return PrintError(scene.status());
+  if (const absl::Status status = CheckInputsStay(request, *scene); !status.ok()) return PrintUsageError(status);
+  const auto inspection = InspectSceneOf(request, *std::move(scene));
   if (!inspection.ok()) return PrintError(inspection.status());
   const SceneWaves& waves = *inspection->waves;
   PrintWarnings(waves.scene().warnings);
@@ -260,6 +300,7 @@ int InspectMeshAt(const Request& request) {
   const auto file = ReadMeshFile(path);
   if (!file.ok()) return PrintError(file.status());
   Scene scene = SceneOfMesh(path);
+  if (const absl::Status status = CheckInputsStay(request, scene); !status.ok()) return PrintUsageError(status);
   const auto options = PlanOptionsOf(request, scene);
   if (!options.ok()) return PrintError(options.status());
   PrintWarnings(scene.warnings);

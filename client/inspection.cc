@@ -19,6 +19,7 @@
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
 #include "coordinator/report/tile_checks.h"
+#include "coordinator/report/water_choice.h"
 #include "worker/ground/lowest_surface.h"
 #include "worker/ground/rim_objects.h"
 #include "worker/survey/survey.h"
@@ -39,7 +40,7 @@ std::string PathOf(const Scene& scene, const SceneTile& tile) {
 }
 
 absl::StatusOr<Looked> Look(const Scene& scene, const MeasureWork& work) {
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(PathOf(scene, *work.tile)));
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(PathOf(scene, *work.tile), work.tile->frame));
   Looked looked;
   for (const PlanePolygon& polygon : work.polygons) looked.tallies.push_back(TallyHeights(file.mesh, polygon));
   return looked;
@@ -159,6 +160,10 @@ Inspection InspectScene(Scene scene, const PlanOptions& options, const StepWatch
   if (!inspection.errors.empty()) return inspection;
   if (!next) next = waves.Next();
   DoAll("look at the tiles", AllWork<SurveyWork>(waves, next), watcher, inspection);
+  if (inspection.errors.empty()) {
+    absl::Status levels = CheckLevels(options.water.areas, waves.survey().records());
+    if (!levels.ok()) inspection.errors.push_back(std::move(levels));
+  }
   if (inspection.errors.empty()) TellGround(watcher, waves);
   return inspection;
 }

@@ -120,8 +120,9 @@ std::string RequestIdFromFlags(const Args& args) {
 }
 
 absl::StatusOr<int32_t> PriorityNamed(const std::string& text) {
+  constexpr int32_t kMost = 100;  // as a coordinator takes it
   int32_t priority = 0;
-  if (absl::SimpleAtoi(text, &priority)) return priority;
+  if (absl::SimpleAtoi(text, &priority) && -kMost <= priority && priority <= kMost) return priority;
   return absl::InvalidArgumentError(absl::StrCat("priority '", text, "': expected a whole number from -100 to 100"));
 }
 

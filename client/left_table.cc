@@ -30,7 +30,7 @@ std::vector<std::string> Row(const Json& item, const std::map<std::string, const
   const Json& hole = it == holes.end() ? nothing : *it->second;
   return {id,
           Text(Member(item, "cell")),
-          Text(Member(hole, "centre")),
+          CentreText(Member(hole, "centre")),
           AreaText(Member(hole, "area_m2")),
           Text(Member(item, "open_edges")),
           Text(Member(item, "reason"))};

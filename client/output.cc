@@ -46,6 +46,13 @@ std::string StateText(const v1::WorkerInfo& worker) {
   return absl::StrReplaceAll(absl::AsciiStrToLower(v1::WorkerState_Name(worker.state())), {{"_", " "}});
 }
 
+// "2/2, 1 waiting": tasks that it is at, of those that it takes at once, and those that it holds beside them.
+std::string TasksText(const v1::WorkerInfo& worker) {
+  const int32_t waiting = std::max(0, worker.tasks() - worker.threads());
+  return absl::StrCat(Share(worker.tasks() - waiting, worker.threads()),
+                      waiting > 0 ? absl::StrCat(", ", waiting, " waiting") : "");
+}
+
 struct Column {
   size_t width = 0;
   bool has_numbers = false, has_texts = false;
@@ -54,7 +61,7 @@ struct Column {
   void Take(const std::string& cell) {
     width = std::max(width, ColumnsOf(cell));
     double number = 0;
-    if (!cell.empty()) (absl::SimpleAtod(cell, &number) ? has_numbers : has_texts) = true;
+    if (!cell.empty() && cell != "-") (absl::SimpleAtod(cell, &number) ? has_numbers : has_texts) = true;
   }
 };
 
@@ -181,7 +188,10 @@ std::string JobText(const v1::Job& job, OutputFormat format) {
   if (!job.message().empty()) rows.push_back({"message", job.message()});
   if (job.has_error()) rows.push_back({"error", job.error().message()});
   if (!job.report().empty()) rows.push_back({"report", job.report()});
-  return Table({"job", job.name()}, rows);
+  if (!job.name().empty()) return Table({"job", job.name()}, rows);
+  const std::vector<std::string> first = rows.front();
+  rows.erase(rows.begin());
+  return Table(first, rows);
 }
 
 std::string JobsText(const std::vector<v1::Job>& jobs, OutputFormat format, size_t columns) {
@@ -205,8 +215,8 @@ std::string WorkersText(const std::vector<v1::WorkerInfo>& workers, OutputFormat
   Json json = Json::array();
   for (const v1::WorkerInfo& w : workers) {
     const std::string state = StateText(w);
-    rows.push_back({w.id(), state, Share(w.tasks(), w.threads()), AgeText(w.first_seen()), AgeText(w.last_seen()),
-                    w.release(), w.identity(), w.message()});
+    rows.push_back({w.id(), state, TasksText(w), AgeText(w.first_seen()), AgeText(w.last_seen()), w.release(),
+                    w.identity(), w.message()});
     json.push_back({{"id", w.id()},
                     {"state", state},
                     {"tasks", w.tasks()},

@@ -32,6 +32,7 @@ std::string Table(const std::vector<std::string>& headings, const std::vector<st
 // "1 tension", "2 tensions".
 std::string Counted(size_t count, const std::string& noun);
 
+// Begins with the name that the job has.
 std::string JobText(const v1::Job& job, OutputFormat format);
 // Tables keep to `columns`, those of a terminal, if there are any (FittedTable); JSON has all.
 std::string JobsText(const std::vector<v1::Job>& jobs, OutputFormat format, size_t columns = 0);

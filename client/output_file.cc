@@ -26,6 +26,23 @@ namespace tilemend {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// Opens the lock file of the output `path`, and makes it if it is missing.
+absl::StatusOr<int> OpenLock(const std::string& file, const std::string& path) {
+  constexpr int kFlags = O_CLOEXEC | O_NOFOLLOW;
+  int fd = ::open(file.c_str(), O_RDWR | O_CREAT | kFlags, 0644);
+  if (fd >= 0) return fd;
+  if (errno != EACCES) return WithOtherOut(WriteErrnoStatus(errno, "cannot write there", path));
+  // A killed process of another user may have left it; a lock needs no right to write.
+  fd = ::open(file.c_str(), O_RDONLY | kFlags);
+  if (fd >= 0) return fd;
+  if (errno != EACCES) return WithOtherOut(WriteErrnoStatus(EACCES, "cannot write there", path));
+  return WithOtherOut(WriteErrnoStatus(EACCES, "cannot open this file, the lock of the output", file));
+}
+
+}  // namespace
+
 absl::Status CheckOutputFile(const std::string& path, bool overwrite) {
   std::error_code error;
   if (fs::symlink_status(path, error).type() == fs::file_type::not_found) return absl::OkStatus();
@@ -66,9 +83,8 @@ absl::StatusOr<OutputLock> OutputLock::Take(const std::string& path) {
   struct stat opened {
   }, named{};
   do {
-    if (lock.fd_ >= 0) ::close(lock.fd_);
-    lock.fd_ = ::open(lock.file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
-    if (lock.fd_ < 0) return WithOtherOut(WriteErrnoStatus(errno, "cannot write there", path));
+    if (lock.fd_ >= 0) ::close(std::exchange(lock.fd_, -1));
+    TILEMEND_ASSIGN_OR_RETURN(lock.fd_, OpenLock(lock.file_, path));
     if (::flock(lock.fd_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       ::close(std::exchange(lock.fd_, -1));  // and leave the file to its holder
       return WithErrorInfo(absl::AbortedError(absl::StrCat(

@@ -78,7 +78,7 @@ absl::StatusOr<PictureTile> ReadPictureTile(const std::string& root, const std::
   if (format == MeshFormat::kObj) {
     TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name, NoFaces::kAccept));
     tile.faces.mesh = std::move(obj.file.mesh);
-    tile.faces.looks = ObjFaceLooks(obj.textures, tile.faces.mesh.triangles.size());
+    tile.faces.looks = ObjFaceLooks(obj.textures, tile.faces.mesh.triangles);
     TILEMEND_RETURN_IF_ERROR(AddObjLook(root, path, obj.textures, tile));
     return tile;
   }

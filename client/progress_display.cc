@@ -25,16 +25,21 @@ void DrawBar(double share, const std::string& text) {
   std::fflush(stderr);
 }
 
-// ", 2 min 05 s, 1 min 10 s left": since the job was made and, once there is something to guess it by, until its end.
-std::string TimesText(const v1::Job& job, double share) {
-  constexpr double kLeastShare = 0.05;
-  const absl::Duration elapsed = absl::Now() - absl::FromUnixSeconds(job.create_time().seconds());
-  std::string text = ", " + DurationText(elapsed);
-  if (share > kLeastShare) absl::StrAppend(&text, ", ", DurationText(elapsed * ((1 - share) / share)), " left");
-  return text;
+// Begins a line on a job. One of this process has no name.
+std::string Beginning(const v1::Job& job, const char* otherwise) {
+  return job.name().empty() ? otherwise : job.name() + ": ";
 }
 
 }  // namespace
+
+std::string TimesText(const v1::Job& job, double share, absl::Time now) {
+  constexpr double kLeastShare = 0.05;
+  const absl::Time end = job.has_end_time() ? absl::FromUnixSeconds(job.end_time().seconds()) : now;
+  const absl::Duration elapsed = end - absl::FromUnixSeconds(job.create_time().seconds());
+  std::string text = ", " + DurationText(elapsed);
+  if (job.has_end_time() || share <= kLeastShare) return text;
+  return absl::StrCat(text, ", ", DurationText(elapsed * ((1 - share) / share)), " left");
+}
 
 std::string BarLine(double share, const std::string& text, size_t columns) {
   constexpr size_t kLongest = 30, kShortest = 10, kFrame = 3;  // brackets and a blank
@@ -65,7 +70,7 @@ ProgressDisplay::~ProgressDisplay() {
 
 void ProgressDisplay::Show(const v1::Job& job) {
   for (; warnings_ < job.warnings_size(); ++warnings_) {
-    std::fprintf(stderr, "%s%s: %s\n", has_bar_ ? kEraseLine : "", job.name().c_str(),
+    std::fprintf(stderr, "%s%s%s\n", has_bar_ ? kEraseLine : "", Beginning(job, "tilemend: warning: ").c_str(),
                  Printable(job.warnings(warnings_)).c_str());
   }
   if (job.progress().phase() == kResumePhase) return;  // it runs through what was shown before
@@ -78,10 +83,10 @@ void ProgressDisplay::Show(const v1::Job& job) {
 
 void ProgressDisplay::ShowLines(const v1::Job& job) {
   const std::string& phase = job.progress().phase();
-  if (phase != phase_) std::fprintf(stderr, "%s: %s\n", job.name().c_str(), Printable(phase).c_str());
+  if (phase != phase_) std::fprintf(stderr, "%s%s\n", Beginning(job, "").c_str(), Printable(phase).c_str());
   phase_ = phase;
   if (job.waiting() != waiting_ && !job.waiting().empty()) {
-    std::fprintf(stderr, "%s: waits: %s\n", job.name().c_str(), Printable(job.waiting()).c_str());
+    std::fprintf(stderr, "%swaits: %s\n", Beginning(job, "").c_str(), Printable(job.waiting()).c_str());
   }
   waiting_ = job.waiting();
 }
@@ -89,10 +94,10 @@ void ProgressDisplay::ShowLines(const v1::Job& job) {
 void ProgressDisplay::ShowBar(const v1::Job& job) {
   const v1::Progress& p = job.progress();
   share_ = std::max(share_, ShareDone(p.phase(), p.cells(), p.cells_done(), p.tasks(), p.tasks_done()));
-  DrawBar(share_,
-          absl::StrCat(Printable(p.phase()), ", ", Share(p.tasks_done(), p.tasks()), " tasks, ",
-                       Share(p.cells_done(), p.cells()), " cells",
-                       job.waiting().empty() ? TimesText(job, share_) : ", waits: " + Printable(job.waiting())));
+  DrawBar(share_, absl::StrCat(Printable(p.phase()), ", ", Share(p.tasks_done(), p.tasks()), " tasks, ",
+                               Share(p.cells_done(), p.cells()), " cells",
+                               job.waiting().empty() ? TimesText(job, share_, absl::Now())
+                                                     : ", waits: " + Printable(job.waiting())));
   has_bar_ = true;
 }
 

@@ -16,10 +16,15 @@ namespace tilemend {
 // printable.
 std::string BarLine(double share, const std::string& text, size_t columns);
 
+// ", 2 min 05 s, 1 min 10 s left": since the job was made and, once `share` is enough to guess it by, until its end. Of
+// a job that is over how long it took.
+std::string TimesText(const v1::Job& job, double share, absl::Time now);
+
 // Erases the bar that may be on stderr.
 void EraseBar();
 
-// How a job goes: a bar on a terminal, else a line for each phase. The bar goes when this object goes.
+// How a job goes: a bar on a terminal, else a line for each phase, which begins with the name that the job has. The bar
+// goes when this object goes.
 class ProgressDisplay {
  public:
   ProgressDisplay();

@@ -11,7 +11,9 @@
 #include "client/report_text.h"
 #include "client/unfinished.h"
 #include "common/util/files.h"
+#include "common/util/text.h"
 #include "coordinator/report/json_access.h"
+#include "coordinator/report/shallow_json.h"
 
 namespace tilemend {
 namespace {
@@ -25,6 +27,11 @@ int ReportCommand(const Args& args) {
   if (!format.ok()) return PrintUsageError(format.status());
   std::filesystem::path path = args.arguments().front();
   if (path.extension() != ".json") path /= "report.json";
+  if (args.Switch("html") && path.filename() != "report.json") {
+    return PrintUsageError(absl::InvalidArgumentError(
+        absl::StrCat("report: --html makes the page of the report.json in an output's folder, not of ", path.string(),
+                     "; give the folder, or leave --html out")));
+  }
   const auto content = ReadFile(path.string());
   const auto finished = path.filename() == "report.json" ? CheckFinished(path.parent_path()) : absl::OkStatus();
   if (!finished.ok()) return PrintError(finished);
@@ -37,6 +44,8 @@ int ReportCommand(const Args& args) {
   if (args.Switch("html")) {
     const absl::Status written = WriteReportPage(path.has_parent_path() ? path.parent_path().string() : ".");
     if (!written.ok()) return PrintError(written);
+    const std::filesystem::path page = path.parent_path() / "report.html";
+    std::fprintf(stderr, "tilemend: wrote %s\n", Printable(page.string()).c_str());
   }
   std::fputs((*format == OutputFormat::kJson ? *content : ReportText(report)).c_str(), stdout);
   return kExitDone;

@@ -16,6 +16,7 @@
 #include "common/util/status_macros.h"
 #include "coordinator/report/json_access.h"
 #include "coordinator/report/page_review.h"
+#include "coordinator/report/shallow_json.h"
 #include "coordinator/report/tile_checks.h"
 
 namespace tilemend {

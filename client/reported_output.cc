@@ -56,8 +56,10 @@ void AddLeftHole(const Json& hole, ReportedOutput& reported) {
   const auto cell = CellOf(hole);
   const auto centre = PlaneOf(Member(hole, "centre"));
   if (!cell || !centre || Member(hole, "outcome") != "left") return;
+  const Json& place = Member(hole, "centre");
+  const double height = Number(place.size() > 2 ? place[2] : Member(hole, "rim_height_m"));
   reported.left.push_back({.cell = *cell,
-                           .at = *centre,
+                           .at = {centre->x(), centre->y(), height},
                            .reach = Number(Member(hole, "perimeter_m")) / 2,
                            .hole = static_cast<int64_t>(Number(Member(hole, "id"))),
                            .reaches_border = Member(hole, "kind") != "closed",
@@ -89,10 +91,11 @@ ReportedOutput ReadReported(const Json& report) {
   }
   for (const Json& row : RowsOf(Member(report, "left"))) {
     const auto cell = CellOf(row);
-    const auto at = PlaneOf(Member(row, "at"));
+    const Json& place = Member(row, "at");
+    const auto at = PlaneOf(place);
     if (!cell || !at || !Member(row, "hole").is_null()) continue;  // those of holes are above
     reported.left.push_back({.cell = *cell,
-                             .at = *at,
+                             .at = {at->x(), at->y(), place.size() > 2 ? Number(place[2]) : 0},
                              .reach = kReachOfEdges * Number(Member(row, "open_edges")),
                              .reason = Text(Member(row, "reason"))});
   }
@@ -128,7 +131,7 @@ void AddLeftRims(const Json& holes, const Point2& origin, ReportedOutput& report
 }
 
 bool IsAtLeft(const ReportedOutput::Left& left, const Point2& p) {
-  if (left.rim.empty()) return (left.at - p).norm() <= left.reach + kLeftReach;
+  if (left.rim.empty()) return (left.at.head<2>() - p).norm() <= left.reach + kLeftReach;
   return std::ranges::any_of(left.rim, [&](const std::vector<Point2>& ring) {
     for (size_t k = 1; k < ring.size(); ++k) {
       if (DistanceToSegment(p, ring[k - 1], ring[k]) <= kLeftReach) return true;

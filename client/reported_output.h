@@ -18,7 +18,7 @@ struct ReportedOutput {
   // A hole that was left open, or boundary edges in no loop.
   struct Left {
     CellId cell;
-    Point2 at{0, 0};
+    Point3 at{0, 0, 0};                         // at the mean height of its rim; z 0: not known
     double reach = 0;                           // metres: all of its boundary is nearer to `at`
     int64_t hole = -1;                          // its number; -1: none
     bool reaches_border = false;                // it goes on beyond the sides of its cell

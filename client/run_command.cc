@@ -46,9 +46,11 @@ v1::Job NotBegun(const v1::JobSpec& spec, const absl::Status& error) {
   return job;
 }
 
-// The only worker is this process: what a job waits for would be itself.
-v1::Job WithoutWaiting(v1::Job job) {
+// As a job of this process is shown. The only worker is the process itself, for which nothing waits, and no other
+// command can name the job.
+v1::Job Shown(v1::Job job) {
   job.clear_waiting();
+  job.clear_name();
   return job;
 }
 
@@ -111,7 +113,7 @@ absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, const Means& means,
   Worker worker(worker_options, NewGrpcWorkLink(server->rpc().InProcessChannel()), SceneStageRunner(means.memory_bytes),
                 *MetricsRegistry::Null());
   signals.Start([&cancel_job](int) { cancel_job(); });
-  auto end = client.Watch(job->name(), [&show](const v1::Job& now) { show(WithoutWaiting(now)); });
+  auto end = client.Watch(job->name(), [&show](const v1::Job& now) { show(Shown(now)); });
   signals.Stop();  // before the coordinator goes
   worker.Stop();
   TILEMEND_RETURN_IF_ERROR(worker.Join());
@@ -138,16 +140,19 @@ bool LeftUnfinished(const v1::Job& job) {
   return wrote && IsUnfinished(job.spec().out());
 }
 
-// The page beside a new report. Without it the output is complete.
-void WritePage(const v1::Job& job) {
-  if (job.report().empty()) return;
+// The path of the page, which it writes beside a new report; "" without one. Without it the output is complete.
+std::string WritePage(const v1::Job& job) {
+  if (job.report().empty()) return "";
   const absl::Status written = WriteReportPage(std::filesystem::path(job.report()).parent_path().string());
-  if (!written.ok()) PrintWarnings({absl::StrCat("no report.html: ", std::string(written.message()))});
+  if (written.ok()) return absl::StrCat(job.spec().out(), "/report.html");
+  PrintWarnings({absl::StrCat("no report.html: ", std::string(written.message()))});
+  return "";
 }
 
-// The job unless `is_brief`, and what its report says.
-void PrintEnd(const v1::Job& job, OutputFormat format, bool is_brief) {
-  if (!is_brief || job.report().empty()) std::fputs(JobText(job, format).c_str(), stdout);
+// The job unless `is_brief`, what its report says, and the path of the page.
+void PrintEnd(const v1::Job& job, OutputFormat format, bool is_brief, const std::string& page) {
+  const bool is_table = format == OutputFormat::kTable;
+  if (!is_brief || job.report().empty()) std::fputs(JobText(is_table ? Shown(job) : job, format).c_str(), stdout);
   if (format == OutputFormat::kJson || job.report().empty()) return;
   const auto content = ReadFile(job.report());
   if (!content.ok()) {
@@ -156,8 +161,8 @@ void PrintEnd(const v1::Job& job, OutputFormat format, bool is_brief) {
   }
   const auto report = nlohmann::ordered_json::parse(*content, nullptr, false);
   if (!report.is_object()) return;
-  const std::string page = absl::StrCat(job.spec().out(), "/report.html");
-  std::fputs((is_brief ? ResultText(report, page) : SummaryText(report)).c_str(), stdout);
+  std::fputs((is_brief ? ResultText(report) : SummaryText(report)).c_str(), stdout);
+  if (!page.empty()) std::printf("\npage: %s (open it in a browser)\n", Printable(page).c_str());
 }
 
 }  // namespace
@@ -183,10 +188,10 @@ int RunCommand(const Args& args) {
     std::fprintf(stderr, "tilemend: %s is not complete; the same command completes it\n",
                  Printable(spec->out()).c_str());
   }
-  WritePage(*job);
+  const std::string page = WritePage(*job);
   // A job that failed before its first phase has nothing more to tell.
   const bool only_error = job->state() == v1::FAILED && job->progress().phase().empty();
-  if (!only_error || *format == OutputFormat::kJson) PrintEnd(*job, *format, is_brief);
+  if (!only_error || *format == OutputFormat::kJson) PrintEnd(*job, *format, is_brief, page);
   return ExitCodeOf(*job);
 }
 

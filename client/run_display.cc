@@ -19,6 +19,7 @@
 #include "coordinator/jobs/cluster_events.h"
 #include "coordinator/jobs/job_pipeline.h"
 #include "coordinator/report/json_access.h"
+#include "coordinator/report/left_open.h"
 
 namespace tilemend {
 namespace {
@@ -36,17 +37,19 @@ std::string Counts(const char* name, int64_t done, int64_t all) {
   return all == 0 ? "" : absl::StrCat(", ", done, " of ", all, " ", name);
 }
 
-// "81 of 84 holes filled, 6551.8 m2".
+// "81 of 84 holes filled, 6551.8 m2", of the cells that were chosen.
 std::string FilledText(const Json& report) {
   size_t holes = 0, filled = 0;
   double area = 0;
   for (const Json& hole : Member(report, "per_hole")) {
+    if (Member(hole, "reason") == kNotChosen) continue;
     ++holes;
     if (Text(Member(hole, "outcome")) != "filled") continue;
     ++filled;
     area += Number(Member(hole, "area_m2"));
   }
-  return absl::StrFormat("%d of %s filled, %.1f m2\n", filled, Counted(holes, "hole"), area);
+  return absl::StrCat(filled, " of ", Counted(holes, "hole"), " filled, ", AreaText(area), " m2", UncountedText(report),
+                      "\n");
 }
 
 // "61 of 64 tiles kept as they were", where some were.
@@ -81,10 +84,9 @@ std::string StageText(const v1::Job& job) {
   return name;
 }
 
-std::string ResultText(const Json& report, const std::string& page) {
+std::string ResultText(const Json& report) {
   return absl::StrCat(FilledText(report), KeptText(report), WarningsText(report),
-                      WaterText(report, "filled flat as water"), LookAtText(report), LeftText(report, "left open"),
-                      "\nlook at: ", Printable(page), "\n");
+                      WaterText(report, "filled flat as water"), LookAtText(report), LeftText(report, "left open"));
 }
 
 RunDisplay::RunDisplay() : begin_(absl::Now()) {}

@@ -17,8 +17,8 @@ std::string StageName(std::string_view phase);
 // "fill the holes, 12 of 85 holes": the stage of the job and how far it is.
 std::string StageText(const v1::Job& job);
 
-// The end of a run: what was filled, the levels of water, what to look at, what is left, and the path `page`.
-std::string ResultText(const nlohmann::ordered_json& report, const std::string& page);
+// The end of a run: what was filled, the levels of water, what to look at, what is left.
+std::string ResultText(const nlohmann::ordered_json& report);
 
 // One moving line on stderr, which stays with its seconds when the next stage begins. For a terminal.
 class RunDisplay {

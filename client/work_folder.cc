@@ -39,6 +39,14 @@ int Lock(const std::string& path) {
   return -1;
 }
 
+// Where the system's folder for such things comes from, in the order of temp_directory_path.
+std::string NameOfTemporaryFolder() {
+  for (const char* variable : {"TMPDIR", "TMP", "TEMP", "TEMPDIR"}) {
+    if (const char* const value = std::getenv(variable)) return absl::StrCat(variable, "=", value);
+  }
+  return "/tmp";
+}
+
 void RemoveLeft(const fs::path& base) {
   std::error_code error;
   for (fs::directory_iterator at(base, error), end; !error && at != end; at.increment(error)) {
@@ -58,7 +66,11 @@ void RemoveLeft(const fs::path& base) {
 absl::StatusOr<WorkFolder> WorkFolder::Make(const std::string& parent) {
   std::error_code error;
   const fs::path base = parent.empty() ? fs::temp_directory_path(error) : fs::path(parent);
-  if (!error) fs::create_directories(base, error);
+  if (error) {
+    return absl::PermissionDeniedError(
+        absl::StrCat(NameOfTemporaryFolder(), ": not a folder for temporary files; choose one with TMPDIR or --work"));
+  }
+  fs::create_directories(base, error);
   if (!error) RemoveLeft(base);
   std::string made = (base / absl::StrCat(kUnlocked, "XXXXXX")).string();
   if (error || ::mkdtemp(made.data()) == nullptr) {

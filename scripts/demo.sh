@@ -12,7 +12,7 @@ begin() { step=$((step + 1)); echo "[$step/$steps] $1 (${SECONDS} s since the st
 begin "Install the Debian packages that are missing; next: configure"
 scripts/install.sh
 
-begin "Configure the build; next: compile (5 minutes on two cores, seconds if nothing changed)"
+begin "Configure the build; next: compile (everything the first time, seconds if nothing changed)"
 mkdir -p build
 cmake --preset release >build/configure.log 2>&1 || { cat build/configure.log >&2; exit 1; }
 

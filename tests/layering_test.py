@@ -136,7 +136,7 @@ RULES = {
 
     'worker/check': rule(['common/mesh', 'worker/fill/space'], ['eigen'], pure=True),
 
-    'worker/propose': rule(['common/mesh', 'common/records', 'worker/ground'], [], pure=True),
+    'worker/propose': rule(['common/mesh', 'common/records', 'worker/ground'], ['eigen'], pure=True),
 
     'worker/weld': rule(['common/mesh', 'common/records', 'worker/survey'], ['eigen'], pure=True),
 

@@ -38,6 +38,7 @@ absl::StatusOr<WeldRecord> FileMesh::Weld(double tolerance) {
   if (halves != weld.triangles.end()) {
     FilePatch patch;
     patch.triangles.assign(halves, weld.triangles.end());
+    patch.cut_from = std::move(weld.cut_from);
     TILEMEND_RETURN_IF_ERROR(Append(patch));
   }
   std::vector<TriangleChange> changes;

@@ -23,7 +23,8 @@ class PatchMerger {
     colour_ = colours_.of_holes.at(patch.hole);
     std::string material = MaterialName(colour_);
     if (result_.materials.empty() || result_.materials.back().material != material) {
-      result_.materials.push_back({static_cast<int32_t>(result_.triangles.size()), std::move(material)});
+      result_.materials.push_back(
+          {static_cast<int32_t>(result_.triangles.size()), std::move(material), colour_.colour});
     }
     std::vector<int32_t> own(patch.new_points.size(), -1);
     for (const Triangle& t : patch.triangles) {

@@ -71,7 +71,8 @@ class LevelPatcher {
         paint_(paint),
         image_name_(image_name),
         edits_(tile.files.size()),
-        levels_(static_cast<size_t>(tile.levels)) {
+        levels_(static_cast<size_t>(tile.levels)),
+        new_geometries_(tile.pieces.size()) {
     for (const FillMaterial& material : materials) colours_[material.name] = material.colour;
   }
 
@@ -86,12 +87,14 @@ class LevelPatcher {
       Count(key.first, std::ssize(share.faces.triangles));
       TILEMEND_ASSIGN_OR_RETURN(TreePatch made, PatchOf(std::move(share.faces)));
       edits_[piece.file].patches.push_back(std::move(made));
+      ++new_geometries_[static_cast<size_t>(key.first)];
     }
     return absl::OkStatus();
   }
 
   const std::vector<TreeEdit>& edits() const { return edits_; }
   const std::vector<LevelCounts>& levels() const { return levels_; }
+  const std::vector<int32_t>& new_geometries() const { return new_geometries_; }
 
  private:
   void Count(int32_t piece, int64_t triangles) {
@@ -148,7 +151,8 @@ class LevelPatcher {
   std::map<std::string, Rgb> colours_;
   std::vector<TreeEdit> edits_;
   std::vector<LevelCounts> levels_;
-  std::set<int32_t> filled_;  // pieces
+  std::vector<int32_t> new_geometries_;  // by piece
+  std::set<int32_t> filled_;             // pieces
 };
 
 // Adds a triangle of a piece to the levels at which a viewer shows the piece.
@@ -230,7 +234,7 @@ absl::StatusOr<PatchedTree> PatchTreeLevels(std::string_view pack, const FilePat
     TILEMEND_RETURN_IF_ERROR(patcher.Add(level, tile.levels - 1 - l, coarse.patch, choice));
   }
   TILEMEND_ASSIGN_OR_RETURN(std::string changed, ChangeTileTree(tile, patcher.edits(), name));
-  return PatchedTree{std::move(changed), patcher.levels(), std::move(warnings)};
+  return PatchedTree{std::move(changed), patcher.levels(), std::move(warnings), patcher.new_geometries()};
 }
 
 }  // namespace tilemend

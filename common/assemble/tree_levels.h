@@ -27,6 +27,8 @@ struct PatchedTree {
   std::string pack;
   std::vector<LevelCounts> levels;         // `filled` and `added` of each level, the coarsest first
   std::vector<std::string> warnings = {};  // on holes of coarser levels that stay open
+  // By TileTree::pieces: how many geometries are new, those with the highest `order` of the piece's part.
+  std::vector<int32_t> new_geometries = {};
 };
 
 // The pack with `patch`, an addition to its finest level, and with what FillLevel makes of it on each coarser one.

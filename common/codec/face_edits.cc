@@ -1,5 +1,6 @@
 #include "common/codec/face_edits.h"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <unordered_map>
@@ -57,6 +58,12 @@ absl::StatusOr<WriteCorner> PlyCorners(std::string_view bytes, const std::string
   };
 }
 
+absl::StatusOr<bool> HasPlacesInImages(std::string_view ply, const std::string& name) {
+  TILEMEND_ASSIGN_OR_RETURN(const PlyHeader header, ParsePlyHeader(ply, name));
+  return std::ranges::any_of(header.elements[header.face].properties,
+                             [](const PlyProperty& property) { return property.name == "texcoord"; });
+}
+
 struct Edit {
   size_t end = 0;
   std::string text;
@@ -86,6 +93,9 @@ absl::StatusOr<FileFaces> ParseFaces(MeshFormat format, std::string_view bytes, 
                           bytes[end + 1] != '/' && !IsSpace(bytes[end + 1]);
   };
   TILEMEND_ASSIGN_OR_RETURN(faces.file, Visit(format, bytes, name, visit));
+  if (format == MeshFormat::kPly) {
+    TILEMEND_ASSIGN_OR_RETURN(faces.has_textures, HasPlacesInImages(bytes, name));
+  }
   return faces;
 }
 

@@ -17,7 +17,7 @@ namespace tilemend {
 struct FileFaces {
   MeshFile file;
   std::vector<int32_t> face_of;  // of each triangle, rising; polygons have several
-  bool has_textures = false;     // corners of an OBJ name texture coordinates
+  bool has_textures = false;     // corners have texture coordinates: `vt` of an OBJ, `texcoord` of a PLY's faces
 };
 
 // What ParseMesh reads, with the faces. Errors of ParseMesh.

@@ -73,25 +73,28 @@ class PlyRecordFinder {
 
 }  // namespace
 
-std::vector<uint64_t> ObjFaceLooks(const ObjTextures& textures, size_t triangles) {
+std::vector<uint64_t> ObjFaceLooks(const ObjTextures& textures, std::span<const Triangle> triangles) {
   std::vector<uint64_t> looks;
-  looks.reserve(triangles);
+  looks.reserve(triangles.size());
   size_t run = 0;
   const std::string none;
   const std::string* material = &none;
-  for (size_t t = 0; t < triangles; ++t) {
+  for (size_t t = 0; t < triangles.size(); ++t) {
     for (; run < textures.runs.size() && static_cast<size_t>(textures.runs[run].first) <= t; ++run) {
       material = &textures.materials[static_cast<size_t>(textures.runs[run].material)];
     }
     std::array<uint32_t, 6> bits{};
+    std::array<uint64_t, 3> columns{};
     for (size_t k = 0; k < 3; ++k) {
+      const auto vertex = static_cast<size_t>(triangles[t][k]);
+      if (vertex < textures.vertex_columns.size()) columns[k] = textures.vertex_columns[vertex];
       const int32_t corner = textures.corners[t][k];
       if (corner < 0) continue;
       const std::array<float, 2>& uv = textures.coordinates[static_cast<size_t>(corner)];
       bits[2 * k] = std::bit_cast<uint32_t>(uv[0]);
       bits[2 * k + 1] = std::bit_cast<uint32_t>(uv[1]);
     }
-    looks.push_back(absl::HashOf(bits, *material));
+    looks.push_back(absl::HashOf(bits, columns, *material));
   }
   return looks;
 }
@@ -128,7 +131,8 @@ std::vector<uint64_t> TreeFaceLooks(const TileTree& tile, const TreeLevel& level
         const TreeImage& of_file = file.images[geometry.texture];
         image = tile.packed[f].bytes.substr(of_file.offset, of_file.size);
       }
-      const size_t image_hash = absl::HashOf(image);
+      const Rgb& c = geometry.colour;
+      const size_t look = absl::HashOf(image, geometry.has_colour, c.r, c.g, c.b);
       for (int32_t t = 0; t < geometry.triangle_count; ++t) {
         std::array<uint32_t, 6> bits{};
         for (size_t k = 0; k < 3; ++k) {
@@ -136,7 +140,7 @@ std::vector<uint64_t> TreeFaceLooks(const TileTree& tile, const TreeLevel& level
           bits[2 * k] = std::bit_cast<uint32_t>(uv[0]);
           bits[2 * k + 1] = std::bit_cast<uint32_t>(uv[1]);
         }
-        looks.push_back(absl::HashOf(bits, image_hash));
+        looks.push_back(absl::HashOf(bits, look));
       }
     }
   }

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,12 +41,13 @@ struct MeshFile {
 
 // New geometry for one file. Index i in a triangle is vertex i of the file when i < MeshFile::mesh.points.size(), and
 // new_points[i - MeshFile::mesh.points.size()] otherwise. like[k] is the file's vertex whose further properties
-// (colour, normal, ...) new vertex k takes, or -1 for zeros; `like` has one entry per new point.
+// (colour, normal, ...) new vertex k takes, or -1 for none; `like` has one entry per new point.
 struct FilePatch {
-  // The triangles from `first` to the next run's have this material.
+  // The triangles from `first` to the next run's have this material, and this colour where faces have colours.
   struct MaterialRun {
     int32_t first = 0;
     std::string material = {};
+    std::optional<Rgb> colour = {};
   };
 
   std::vector<Point3> new_points;
@@ -57,6 +59,9 @@ struct FilePatch {
   // Places in an image, u to the right, v upward, and the place of each corner of each triangle; empty: there is none.
   std::vector<std::array<float, 2>> texture_places = {};
   std::vector<Triangle> texture_corners = {};
+  // Of each triangle, the one of MeshFile::mesh that it was cut from: in a PLY its face takes the properties of that
+  // one's face, except for tilemend_filled. Empty: all are new surface.
+  std::vector<int32_t> cut_from = {};
 };
 
 // The format by the extension (.ply, .obj, .off, .stl, .osgb, .json, any case). kInvalidArgument naming the format and
@@ -77,7 +82,8 @@ absl::StatusOr<MeshFile> ParseMesh(MeshFormat format, std::string_view bytes, co
 
 // The bytes of the file `original_bytes` with `patch` appended.
 //   PLY: same encoding and properties; faces get a last property `uchar tilemend_filled` (0 original, 1 filled). The
-//        patch's colours go into the vertex properties red, green, blue of type uchar, where there are all three.
+//        patch's colours go into the properties red, green, blue of type uchar of vertices and faces, where there are
+//        all three. An alpha of type uchar of what is like nothing in the file is 255.
 //   OBJ: every original line kept byte for byte; then `v` lines with 17 digits where needed (shortest that round-trip),
 //        `vt` lines, `mtllib` with the patch's library, `g tilemend_filled`, `f` lines with `usemtl` where the material
 //        changes.

@@ -6,9 +6,11 @@
 #include <cstring>
 #include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "absl/hash/hash.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "common/codec/polygons.h"
@@ -118,7 +120,7 @@ class ObjReader {
     while (!IsTokenEnd(stop)) ++stop;
     const size_t length = static_cast<size_t>(stop - begin);
     if (length == 1 && *begin == 'v') return ReadVertex();
-    if (length == 1 && *begin == 'f') return ReadFace();
+    if (length == 1 && *begin == 'f' && !vertices_only_) return ReadFace();
     if (textures_ != nullptr) ReadTextureStatement({begin, length}, stop);
     const bool letter = (*begin >= 'a' && *begin <= 'z') || (*begin >= 'A' && *begin <= 'Z');
     if (!letter) return Expected("an OBJ statement");
@@ -135,7 +137,36 @@ class ObjReader {
       textures_->runs.push_back({first, NumberOf(RestOfLine(p), materials_, textures_->materials)});
     } else if (word == "mtllib") {
       NumberOf(RestOfLine(p), libraries_, textures_->libraries);
+    } else if (word == "g") {
+      const bool is_filled = RestOfLine(p) == kFilledGroup;
+      textures_->groups.push_back({static_cast<int32_t>(file_.mesh.triangles.size()), is_filled});
     }
+  }
+
+  // Of the vertex whose coordinates were read: three numbers from 0 to 1. One number more is a weight.
+  void NoteVertexColour() {
+    const std::optional<Rgb> colour = ColourAt(p_);
+    std::vector<std::optional<Rgb>>& colours = textures_->vertex_colours;
+    if (!colour && colours.empty()) return;
+    colours.resize(file_.mesh.points.size() - 1);  // vertices before the first colour have none
+    colours.push_back(colour);
+  }
+
+  std::optional<Rgb> ColourAt(const char* p) const {
+    const auto skip_blanks = [&] {
+      while (p < end_ && IsSpace(*p) && *p != newline_) ++p;
+    };
+    std::array<uint8_t, 3> channels{};
+    for (uint8_t& channel : channels) {
+      skip_blanks();
+      const ParsedDouble number = ParseDoubleAt(p, end_);
+      if (number.stop == nullptr || !std::isfinite(number.value)) return std::nullopt;
+      channel = static_cast<uint8_t>(std::lround(255 * std::clamp(number.value, 0.0, 1.0)));
+      p = number.stop;
+    }
+    skip_blanks();
+    if (p < end_ && *p != newline_ && *p != '#') return std::nullopt;
+    return Rgb{channels[0], channels[1], channels[2]};
   }
 
   std::array<float, 2> CoordinatesAt(const char* p) const {
@@ -182,7 +213,16 @@ class ObjReader {
     }
     file_.mesh.points.push_back(point);
     if (vertex_tails_ != nullptr) vertex_tails_->push_back(Offset());
+    if (textures_ != nullptr) NoteVertexColour();
+    if (textures_ != nullptr) ReadFurtherColumns();
     return absl::OkStatus();
+  }
+
+  void ReadFurtherColumns() {
+    SkipBlanks();
+    if (AtStatementEnd()) return;
+    textures_->vertex_columns.resize(file_.mesh.points.size());
+    textures_->vertex_columns.back() = absl::HashOf(FurtherColumns(bytes_.substr(Offset()), newline_, false));
   }
 
   absl::Status ReadFace() {
@@ -199,12 +239,23 @@ class ObjReader {
                            absl::StrCat("the face has more than ", kMaxListCount, " corners"));
       }
     }
-    AddPolygon(corners_, places_, visit_, file_, cut_);
+    const bool is_early = corners_.size() > 3 && *std::ranges::max_element(corners_) >= std::ssize(file_.mesh.points);
+    if (is_early && all_points_.empty()) TILEMEND_RETURN_IF_ERROR(ReadAllPoints());
+    AddPolygon(corners_, places_, visit_, file_, cut_, all_points_);
     if (textures_ != nullptr) {
       for (const auto& [a, b, c] : cut_) {
         textures_->corners.push_back({texture_corners_[a], texture_corners_[b], texture_corners_[c]});
       }
     }
+    return absl::OkStatus();
+  }
+
+  // How a polygon is cut depends on its vertices, which this one stands before.
+  absl::Status ReadAllPoints() {
+    ObjReader reader(bytes_, name_, nullptr, nullptr, {}, NoFaces::kAccept);
+    reader.vertices_only_ = true;
+    TILEMEND_ASSIGN_OR_RETURN(MeshFile file, reader.Read());
+    all_points_ = std::move(file.mesh.points);
     return absl::OkStatus();
   }
 
@@ -259,6 +310,8 @@ class ObjReader {
   int64_t faces_ = 0;
   int64_t largest_index_ = -1;
   size_t largest_index_offset_ = 0;
+  bool vertices_only_ = false;
+  std::vector<Point3> all_points_;  // of the file, once a polygon stands before its vertices
   std::vector<int32_t> corners_;
   std::vector<Triangle> cut_;      // by places in corners_
   std::vector<TextRange> places_;  // of corners_: their vertex numbers
@@ -274,7 +327,7 @@ void AppendFaces(const FilePatch& patch, size_t places, std::string_view eol, st
     out += eol;
   }
   if (!patch.library.empty()) ((out += "mtllib ") += patch.library) += eol;
-  (out += "g tilemend_filled") += eol;
+  ((out += "g ") += kFilledGroup) += eol;
   auto run = patch.materials.begin();
   for (size_t k = 0; k < patch.triangles.size(); ++k) {
     for (; run != patch.materials.end() && run->first <= static_cast<int64_t>(k); ++run) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,8 +13,12 @@
 #include "common/codec/mesh_file.h"
 #include "common/codec/polygons.h"
 #include "common/mesh/tri_mesh.h"
+#include "common/util/colour.h"
 
 namespace tilemend {
+
+// The group of filled faces.
+inline constexpr std::string_view kFilledGroup = "tilemend_filled";
 
 // What lies on the triangles of an OBJ file.
 struct ObjTextures {
@@ -28,6 +33,16 @@ struct ObjTextures {
   std::vector<Run> runs;               // triangles before the first have no material
   std::vector<std::array<float, 2>> coordinates;  // of `vt`; NaN where they are no numbers
   std::vector<Triangle> corners;                  // of each triangle, into `coordinates`; -1: none
+
+  // The triangles from `first` to the next run's are in the group tilemend_filled, or in others.
+  struct GroupRun {
+    int32_t first = 0;
+    bool is_filled = false;
+  };
+  std::vector<GroupRun> groups = {};                    // triangles before the first are in others
+  std::vector<std::optional<Rgb>> vertex_colours = {};  // after the coordinates of `v`; empty: no vertex has one
+  // Of each vertex up to the last that has any: a digest of its columns after x y z (a colour or weight); 0 without.
+  std::vector<uint64_t> vertex_columns;
 };
 
 struct ObjFile {
@@ -36,11 +51,13 @@ struct ObjFile {
 };
 
 // Reads `v` and `f` statements; texture and normal indices are checked for form only, further statements are skipped.
-// Positive indices may name vertices that come later in the file. Linear in `bytes`.
+// Positive indices may name vertices that come later in the file; if those of a polygon do, it is read twice. Linear in
+// `bytes`.
 absl::StatusOr<MeshFile> ParseObj(std::string_view bytes, const std::string& name, const FaceVisitor& visit = {},
                                   NoFaces no_faces = NoFaces::kRefuse);
 
-// The same with materials and texture coordinates: 8 bytes for each `vt`, 12 for each triangle more.
+// The same with materials, texture coordinates, colours and further columns of vertices: 8 bytes for each `vt`, 12 for
+// each vertex with such columns, 12 for each triangle more.
 absl::StatusOr<ObjFile> ParseTexturedObj(std::string_view bytes, const std::string& name,
                                          NoFaces no_faces = NoFaces::kRefuse);
 

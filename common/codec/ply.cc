@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/ply_source.h"
@@ -17,8 +19,9 @@ namespace {
 template <class Source>
 class RecordReader {
  public:
-  RecordReader(Source source, const PlyHeader& header, const FaceVisitor& visit, MeshFile& file)
-      : source_(source), header_(header), visit_(visit), file_(file) {}
+  RecordReader(Source source, const PlyHeader& header, const FaceVisitor& visit, std::span<const Point3> all,
+               MeshFile& file)
+      : source_(source), header_(header), visit_(visit), all_(all), file_(file) {}
 
   Source& source() { return source_; }
 
@@ -54,7 +57,7 @@ class RecordReader {
         TILEMEND_RETURN_IF_ERROR(SkipProperty(element.properties[i]));
       }
     }
-    AddPolygon(corners_, places_, visit_, file_, cut_);
+    AddPolygon(corners_, places_, visit_, file_, cut_, all_);
     return absl::OkStatus();
   }
 
@@ -95,6 +98,7 @@ class RecordReader {
   Source source_;
   const PlyHeader& header_;
   const FaceVisitor& visit_;
+  const std::span<const Point3> all_;  // vertices, for faces that stand before them
   MeshFile& file_;
   std::vector<int32_t> corners_;
   std::vector<Triangle> cut_;      // by places in corners_
@@ -160,13 +164,13 @@ template <class Source>
 class BodyReader {
  public:
   BodyReader(std::string_view bytes, const PlyHeader& header, const std::string& name, MeshFile& file,
-             PlyRecords* records, const FaceVisitor& visit)
+             PlyRecords* records, const FaceVisitor& visit, std::span<const Point3> all)
       : bytes_(bytes),
         header_(header),
         file_(file),
         records_(records),
         visits_(visit != nullptr),
-        reader_(Source(bytes, header, name), header, visit, file) {}
+        reader_(Source(bytes, header, name), header, visit, all, file) {}
 
   absl::Status Read() {
     for (size_t i = 0; i < header_.elements.size(); ++i) {
@@ -289,10 +293,8 @@ class BodyReader {
   RecordReader<Source> reader_;
 };
 
-}  // namespace
-
-absl::StatusOr<MeshFile> ReadPlyBody(std::string_view bytes, const PlyHeader& header, const std::string& name,
-                                     PlyRecords* records, const FaceVisitor& visit) {
+absl::StatusOr<MeshFile> ReadBody(std::string_view bytes, const PlyHeader& header, const std::string& name,
+                                  PlyRecords* records, const FaceVisitor& visit, std::span<const Point3> all) {
   MeshFile file;
   file.format = MeshFormat::kPly;
   file.file_bytes = static_cast<int64_t>(bytes.size());
@@ -302,9 +304,37 @@ absl::StatusOr<MeshFile> ReadPlyBody(std::string_view bytes, const PlyHeader& he
   const bool ascii = header.encoding == PlyEncoding::kAscii;
   const bool narrow = !ascii && std::any_of(header.xyz.begin(), header.xyz.end(), is_float32);
   file.number_type = narrow ? NumberType::kFloat32 : NumberType::kFloat64;
-  TILEMEND_RETURN_IF_ERROR(ascii ? BodyReader<AsciiSource>(bytes, header, name, file, records, visit).Read()
-                                 : BodyReader<BinarySource>(bytes, header, name, file, records, visit).Read());
+  TILEMEND_RETURN_IF_ERROR(ascii ? BodyReader<AsciiSource>(bytes, header, name, file, records, visit, all).Read()
+                                 : BodyReader<BinarySource>(bytes, header, name, file, records, visit, all).Read());
   return file;
+}
+
+}  // namespace
+
+absl::StatusOr<MeshFile> ReadPlyBody(std::string_view bytes, const PlyHeader& header, const std::string& name,
+                                     PlyRecords* records, const FaceVisitor& visit) {
+  std::vector<Point3> all;
+  if (records == nullptr && header.face < header.vertex) {  // how a polygon is cut depends on its vertices
+    TILEMEND_ASSIGN_OR_RETURN(MeshFile file, ReadBody(bytes, header, name, nullptr, {}, {}));
+    all = std::move(file.mesh.points);
+  }
+  return ReadBody(bytes, header, name, records, visit, all);
+}
+
+absl::StatusOr<std::vector<size_t>> PlyFaceBegins(std::string_view bytes, const PlyHeader& header,
+                                                  const PlyRecords& records, const std::string& name) {
+  const size_t first = header.face == 0 ? header.body_begin : records.element_ends[header.face - 1];
+  const auto begin_of = [&](size_t place) {
+    if (records.face_bytes > 0) return place - (place - first) % records.face_bytes;
+    const auto end = std::upper_bound(records.face_ends.begin(), records.face_ends.end(), place);
+    return end == records.face_ends.begin() ? first : *(end - 1);
+  };
+  std::vector<size_t> begins;
+  const FaceVisitor visit = [&](size_t, std::span<const TextRange> corners, std::span<const Triangle> triangles) {
+    begins.insert(begins.end(), triangles.size(), begin_of(corners.front().begin));
+  };
+  TILEMEND_RETURN_IF_ERROR(ReadPlyBody(bytes, header, name, nullptr, visit).status());
+  return begins;
 }
 
 absl::StatusOr<MeshFile> ParsePly(std::string_view bytes, const std::string& name, const FaceVisitor& visit) {

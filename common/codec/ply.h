@@ -21,13 +21,18 @@ struct PlyRecords {
   std::vector<size_t> face_ends;     // per face: just after it
 };
 
-// Reads the positions and faces; every further property and element may be anything that the header can say.
+// Reads the positions and faces; every further property and element may be anything that the header can say. A file
+// whose faces stand before its vertices is read twice.
 absl::StatusOr<MeshFile> ParsePly(std::string_view bytes, const std::string& name, const FaceVisitor& visit = {});
 
 // The same with a header that was read already. With `records` these are filled, and everything is checked, but the
 // mesh is not kept: it comes back empty or in part.
 absl::StatusOr<MeshFile> ReadPlyBody(std::string_view bytes, const PlyHeader& header, const std::string& name,
                                      PlyRecords* records, const FaceVisitor& visit = {});
+
+// Where the record of each triangle's face begins. `records` are those of the file. Errors of ParsePly. Linear.
+absl::StatusOr<std::vector<size_t>> PlyFaceBegins(std::string_view bytes, const PlyHeader& header,
+                                                  const PlyRecords& records, const std::string& name);
 
 // `bytes` with the patch: see mesh_file.h. Indices that the file's type for them cannot hold (a ushort list, 70,000
 // vertices) widen that type to int in the output.

@@ -41,23 +41,42 @@ int64_t LargestIndexOf(PlyType type) {
   }
 }
 
+bool IsAlpha(const PlyProperty& property) {
+  return !property.is_list && property.name == "alpha" && property.type == PlyType::kUint8;
+}
+
+size_t PlaceIn(const std::array<size_t, 3>& properties, size_t property) {
+  return static_cast<size_t>(std::find(properties.begin(), properties.end(), property) - properties.begin());
+}
+
+std::optional<Rgb> ColourOfFace(const FilePatch& patch, size_t t) {
+  const auto& runs = patch.materials;
+  const auto next = std::upper_bound(runs.begin(), runs.end(), static_cast<int64_t>(t),
+                                     [](int64_t k, const FilePatch::MaterialRun& run) { return k < run.first; });
+  return next == runs.begin() ? std::nullopt : (next - 1)->colour;
+}
+
 // Writes the records of a patch and copies those of the file: what text and binary bodies have in common.
 class PlyAppender {
  public:
+  // `cut_faces`: where the face begins that each new one was cut from (FilePatch::cut_from).
   PlyAppender(std::string_view bytes, const PlyHeader& header, const PlyRecords& records, const FilePatch& patch,
-              NumberType number_type)
+              std::vector<size_t> cut_faces, NumberType number_type)
       : bytes_(bytes),
         header_(header),
         records_(records),
         patch_(patch),
+        cut_faces_(std::move(cut_faces)),
         number_type_(number_type),
         vertex_(header.elements[header.vertex]),
         face_(header.elements[header.face]),
         ascii_(header.encoding == PlyEncoding::kAscii),
-        swap_(NeedsSwap(header.encoding)) {
+        swap_(NeedsSwap(header.encoding)),
+        places_(bytes, ascii_, swap_) {
     const auto is_mark = [](const PlyProperty& property) { return property.name == kFilledProperty; };
     add_mark_ = std::none_of(face_.properties.begin(), face_.properties.end(), is_mark);
     if (!patch.colours.empty()) colour_properties_ = ColourProperties(vertex_);
+    face_colours_ = ColourProperties(face_);
     const int64_t vertices = vertex_.count + static_cast<int64_t>(patch.new_points.size());
     widen_ = vertices - 1 > LargestIndexOf(Corners().type);
     index_type_ = widen_ ? PlyType::kInt32 : Corners().type;
@@ -148,20 +167,11 @@ class PlyAppender {
     for (size_t k = 0; k < faces; ++k, from += kBytes, to += kBytes + 1) std::memcpy(to, from, kBytes);
   }
 
-  int64_t BinaryCount(const PlyProperty& property, size_t at) const {
-    return WithPlyType(property.count_type, [&](auto sample) {
-      return static_cast<int64_t>(LoadValue<decltype(sample)>(bytes_.data() + at, swap_));
-    });
-  }
-
   // Copies a binary property that begins at `at`; returns where it ends.
   size_t CopyProperty(const PlyProperty& property, size_t at) {
-    size_t size = SizeOf(property.type);
-    if (property.is_list) {
-      size = SizeOf(property.count_type) + static_cast<size_t>(BinaryCount(property, at)) * size;
-    }
-    out_ += bytes_.substr(at, size);
-    return at + size;
+    const size_t end = places_.EndOf(property, at);
+    out_ += bytes_.substr(at, end - at);
+    return end;
   }
 
   void CopyWidened(size_t at) {
@@ -171,7 +181,7 @@ class PlyAppender {
         at = CopyProperty(property, at);
         continue;
       }
-      const int64_t count = BinaryCount(property, at);
+      const int64_t count = places_.BinaryCount(property, at);
       out_ += bytes_.substr(at, SizeOf(property.count_type));
       at += SizeOf(property.count_type);
       for (int64_t k = 0; k < count; ++k, at += SizeOf(property.type)) {
@@ -194,7 +204,11 @@ class PlyAppender {
     AppendNumber(value, out_);
   }
 
-  void PutZero(const PlyProperty& property) { Put(int64_t{0}, property.is_list ? property.count_type : property.type); }
+  // What nothing is known of: 0, but opaque.
+  void PutDefault(const PlyProperty& property) {
+    constexpr int64_t kOpaque = 255;
+    Put(IsAlpha(property) ? kOpaque : 0, property.is_list ? property.count_type : property.type);
+  }
 
   // New lines of a text body follow the last word of the old ones, whose line end comes after them; only at the very
   // beginning of a body there is none to follow.
@@ -211,7 +225,7 @@ class PlyAppender {
       BeginRecord();
       const int32_t like = patch_.like[k];
       if (like < 0) {
-        WriteVertex(k, [this](const PlyProperty& property) { PutZero(property); });
+        WriteVertex(k, [this](const PlyProperty& property) { PutDefault(property); });
       } else if (ascii_) {
         size_t at = VertexBegin(static_cast<size_t>(like), element_begin);
         WriteVertex(
@@ -240,36 +254,23 @@ class PlyAppender {
       if (axis < header_.xyz.size()) {
         Put(RoundedTo(number_type_, patch_.new_points[k][static_cast<Eigen::Index>(axis)]), property.type);
       } else if (channel < 3) {
-        const Rgb c = patch_.colours[k];
-        Put(int64_t{std::array{c.r, c.g, c.b}[channel]}, property.type);
+        PutChannel(patch_.colours[k], channel);
       } else {
         other(property);
         continue;
       }
-      if (at != nullptr) *at = ascii_ ? NextWord(*at).second : *at + SizeOf(property.type);
+      if (at != nullptr) *at = ascii_ ? places_.NextWord(*at).second : *at + SizeOf(property.type);
     }
   }
 
-  static size_t PlaceIn(const std::array<size_t, 3>& properties, size_t property) {
-    return static_cast<size_t>(std::find(properties.begin(), properties.end(), property) - properties.begin());
-  }
-
-  // The next word of a text body from `at`, and where it ends.
-  std::pair<std::string_view, size_t> NextWord(size_t at) const {
-    while (at < bytes_.size() && IsSpace(bytes_[at])) ++at;
-    const size_t begin = at;
-    while (at < bytes_.size() && !IsSpace(bytes_[at])) ++at;
-    return {bytes_.substr(begin, at - begin), at};
+  void PutChannel(const Rgb& c, size_t channel) {
+    Put(int64_t{std::array{c.r, c.g, c.b}[channel]}, PlyType::kUint8);  // as ColourProperties has them
   }
 
   size_t CopyWords(const PlyProperty& property, size_t at) {
-    int64_t words = 1;
-    if (property.is_list) {
-      const std::string_view count = NextWord(at).first;
-      words += ParseIntegerAt(count.data(), count.data() + count.size()).value;
-    }
+    const int64_t words = places_.WordsOf(property, at);
     for (int64_t i = 0; i < words; ++i) {
-      const auto [word, end] = NextWord(at);
+      const auto [word, end] = places_.NextWord(at);
       if (!line_begins_) out_ += ' ';
       line_begins_ = false;
       out_ += word;
@@ -280,41 +281,92 @@ class PlyAppender {
 
   void WriteNewFaces() {
     const bool at_body_begin = out_.size() == body_begin_ && !patch_.triangles.empty();
-    for (const Triangle& triangle : patch_.triangles) {
+    for (size_t t = 0; t < patch_.triangles.size(); ++t) {
       BeginRecord();
-      for (size_t i = 0; i < face_.properties.size(); ++i) {
-        const PlyProperty& property = face_.properties[i];
-        if (i == header_.corners) {
-          Put(int64_t{3}, property.count_type);
-          for (const int32_t corner : triangle) Put(int64_t{corner}, index_type_);
-        } else if (property.name == kFilledProperty && !property.is_list) {
-          Put(int64_t{1}, property.type);
-        } else {
-          PutZero(property);
-        }
+      if (cut_faces_.empty()) {
+        WriteFilledFace(t);
+      } else {
+        WriteCutFace(t);
       }
       if (add_mark_) Put(int64_t{1}, PlyType::kUint8);
     }
     EndRecords(at_body_begin);
   }
 
+  void PutCorners(const Triangle& triangle) {
+    Put(int64_t{3}, Corners().count_type);
+    for (const int32_t corner : triangle) Put(int64_t{corner}, index_type_);
+  }
+
+  void WriteFilledFace(size_t t) {
+    const std::optional<Rgb> colour = face_colours_ ? ColourOfFace(patch_, t) : std::nullopt;
+    for (size_t i = 0; i < face_.properties.size(); ++i) {
+      const PlyProperty& property = face_.properties[i];
+      const size_t channel = colour ? PlaceIn(*face_colours_, i) : 3;
+      if (i == header_.corners) {
+        PutCorners(patch_.triangles[t]);
+      } else if (property.name == kFilledProperty && !property.is_list) {
+        Put(int64_t{1}, property.type);
+      } else if (channel < 3) {
+        PutChannel(*colour, channel);
+      } else {
+        PutDefault(property);
+      }
+    }
+  }
+
+  // With the properties of the face that it was cut from, but marked as new.
+  void WriteCutFace(size_t t) {
+    size_t at = cut_faces_[t];
+    for (size_t i = 0; i < face_.properties.size(); ++i) {
+      const PlyProperty& property = face_.properties[i];
+      if (i == header_.corners) {
+        PutCorners(patch_.triangles[t]);
+        at = places_.EndOf(property, at);
+      } else if (property.name == kFilledProperty && !property.is_list) {
+        Put(int64_t{1}, property.type);
+        at = places_.EndOf(property, at);
+      } else {
+        at = ascii_ ? CopyWords(property, at) : CopyProperty(property, at);
+      }
+    }
+  }
+
   const std::string_view bytes_;
   const PlyHeader& header_;
   const PlyRecords& records_;
   const FilePatch& patch_;
+  const std::vector<size_t> cut_faces_;
   const NumberType number_type_;
   const PlyElement& vertex_;
   const PlyElement& face_;
   const bool ascii_;
   const bool swap_;
+  const PlyPlaces places_;
   bool add_mark_ = true;
   bool widen_ = false;
   PlyType index_type_ = PlyType::kInt32;
   std::optional<std::array<size_t, 3>> colour_properties_;  // of vertices, where the patch has colours for them
+  std::optional<std::array<size_t, 3>> face_colours_;       // properties of faces
   bool line_begins_ = false;
   size_t body_begin_ = 0;
   std::string out_;
 };
+
+// Where the face begins that each triangle of the patch was cut from; empty if they were not cut from any.
+absl::StatusOr<std::vector<size_t>> CutFaces(std::string_view bytes, const PlyHeader& header, const PlyRecords& records,
+                                             const FilePatch& patch, const std::string& name) {
+  std::vector<size_t> faces;
+  if (patch.cut_from.empty()) return faces;
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<size_t> begins, PlyFaceBegins(bytes, header, records, name));
+  for (const int32_t t : patch.cut_from) {
+    if (t < 0 || t >= std::ssize(begins)) {
+      return absl::InvalidArgumentError(absl::StrCat(name, ": bad patch: no triangle ", t, " to be cut from"));
+    }
+    faces.push_back(begins[static_cast<size_t>(t)]);
+  }
+  return faces;
+}
 
 }  // namespace
 
@@ -324,7 +376,8 @@ absl::StatusOr<std::string> AppendToPly(std::string_view bytes, const FilePatch&
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadPlyBody(bytes, header, name, &records));
   const auto vertices = static_cast<size_t>(header.elements[header.vertex].count);
   TILEMEND_RETURN_IF_ERROR(CheckPatch(patch, vertices, name));
-  return PlyAppender(bytes, header, records, patch, file.number_type).Write();
+  TILEMEND_ASSIGN_OR_RETURN(std::vector<size_t> cut_faces, CutFaces(bytes, header, records, patch, name));
+  return PlyAppender(bytes, header, records, patch, std::move(cut_faces), file.number_type).Write();
 }
 
 std::string NewPlyFile(const FilePatch& patch, NumberType number_type, FaceMark mark) {

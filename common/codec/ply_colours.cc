@@ -16,19 +16,16 @@ namespace {
 // Reads colours out of single records, which have been checked before.
 class ColourReader {
  public:
-  ColourReader(std::string_view bytes, const PlyHeader& header, const std::array<size_t, 3>& channels)
-      : bytes_(bytes),
-        header_(header),
-        vertex_(header.elements[header.vertex]),
-        channels_(channels),
-        swap_(NeedsSwap(header.encoding)) {}
+  ColourReader(std::string_view bytes, const PlyHeader& header, const PlyElement& element,
+               const std::array<size_t, 3>& channels)
+      : bytes_(bytes), header_(header), element_(element), channels_(channels), swap_(NeedsSwap(header.encoding)) {}
 
   Rgb At(size_t record) const {
     std::array<uint8_t, 3> colour{};
     size_t at = record;
-    for (size_t i = 0; i < vertex_.properties.size(); ++i) {
+    for (size_t i = 0; i < element_.properties.size(); ++i) {
       const size_t channel = static_cast<size_t>(std::find(channels_.begin(), channels_.end(), i) - channels_.begin());
-      const auto [value, end] = Next(vertex_.properties[i], at);
+      const auto [value, end] = Next(element_.properties[i], at);
       if (channel < channels_.size()) colour[channel] = value;
       at = end;
     }
@@ -70,7 +67,7 @@ class ColourReader {
 
   const std::string_view bytes_;
   const PlyHeader& header_;
-  const PlyElement& vertex_;
+  const PlyElement& element_;
   const std::array<size_t, 3> channels_;
   const bool swap_;
 };
@@ -94,9 +91,24 @@ absl::StatusOr<std::vector<Rgb>> PlyVertexColours(std::string_view bytes, const 
     if (fixed) return begin + k * vertex.LeastRecordBytes();
     return k == 0 ? begin : records.vertex_ends[k - 1];
   };
-  const ColourReader reader(bytes, header, *channels);
+  const ColourReader reader(bytes, header, vertex, *channels);
   colours.reserve(vertices.size());
   for (const int32_t v : vertices) colours.push_back(reader.At(record(static_cast<size_t>(v))));
+  return colours;
+}
+
+absl::StatusOr<std::vector<Rgb>> PlyFaceColours(std::string_view bytes, const std::string& name) {
+  TILEMEND_ASSIGN_OR_RETURN(const PlyHeader header, ParsePlyHeader(bytes, name));
+  const PlyElement& face = header.elements[header.face];
+  const std::optional<std::array<size_t, 3>> channels = ColourProperties(face);
+  std::vector<Rgb> colours;
+  if (!channels) return colours;
+  PlyRecords records;
+  TILEMEND_RETURN_IF_ERROR(ReadPlyBody(bytes, header, name, &records).status());
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<size_t> begins, PlyFaceBegins(bytes, header, records, name));
+  const ColourReader reader(bytes, header, face, *channels);
+  colours.reserve(begins.size());
+  for (const size_t begin : begins) colours.push_back(reader.At(begin));
   return colours;
 }
 

@@ -18,6 +18,10 @@ namespace tilemend {
 absl::StatusOr<std::vector<Rgb>> PlyVertexColours(std::string_view bytes, const std::vector<int32_t>& vertices,
                                                   const std::string& name);
 
+// The colour of each triangle's face (the same properties of the faces), in the order of ParsePly; empty if faces have
+// none. Errors of ParsePly. Linear.
+absl::StatusOr<std::vector<Rgb>> PlyFaceColours(std::string_view bytes, const std::string& name);
+
 // The images that the header names ("comment TextureFile NAME"), each once.
 std::vector<std::string> PlyTextureNames(std::string_view bytes);
 

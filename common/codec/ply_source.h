@@ -174,6 +174,51 @@ class AsciiSource {
   size_t last_ = 0;
 };
 
+// Where the properties of a body lie.
+class PlyPlaces {
+ public:
+  PlyPlaces(std::string_view bytes, bool ascii, bool swap) : bytes_(bytes), ascii_(ascii), swap_(swap) {}
+
+  int64_t BinaryCount(const PlyProperty& property, size_t at) const {
+    return WithPlyType(property.count_type, [&](auto sample) {
+      return static_cast<int64_t>(LoadValue<decltype(sample)>(bytes_.data() + at, swap_));
+    });
+  }
+
+  // Where a property that begins at `at` ends.
+  size_t EndOf(const PlyProperty& property, size_t at) const {
+    if (ascii_) {
+      for (int64_t words = WordsOf(property, at); words > 0; --words) at = NextWord(at).second;
+      return at;
+    }
+    size_t size = SizeOf(property.type);
+    if (property.is_list) {
+      size = SizeOf(property.count_type) + static_cast<size_t>(BinaryCount(property, at)) * size;
+    }
+    return at + size;
+  }
+
+  // The next word of a text body from `at`, and where it ends.
+  std::pair<std::string_view, size_t> NextWord(size_t at) const {
+    while (at < bytes_.size() && IsSpace(bytes_[at])) ++at;
+    const size_t begin = at;
+    while (at < bytes_.size() && !IsSpace(bytes_[at])) ++at;
+    return {bytes_.substr(begin, at - begin), at};
+  }
+
+  // Of a property that begins at `at` in a text body.
+  int64_t WordsOf(const PlyProperty& property, size_t at) const {
+    if (!property.is_list) return 1;
+    const std::string_view count = NextWord(at).first;
+    return 1 + ParseIntegerAt(count.data(), count.data() + count.size()).value;
+  }
+
+ private:
+  const std::string_view bytes_;
+  const bool ascii_;
+  const bool swap_;
+};
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_COMMON_CODEC_PLY_SOURCE_H_

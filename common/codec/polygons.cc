@@ -28,18 +28,19 @@ bool HasRepeatedCorner(const std::vector<int32_t>& corners) {
 
 }  // namespace
 
-void AddPolygon(const std::vector<int32_t>& corners, MeshFile& file, std::vector<Triangle>& cut) {
+void AddPolygon(const std::vector<int32_t>& corners, MeshFile& file, std::vector<Triangle>& cut,
+                std::span<const Point3> all) {
   cut.clear();
   if (corners.size() > 3) ++file.polygon_count;
   if (corners.size() < 3 || HasRepeatedCorner(corners)) return;
-  CutPolygon(corners, file.mesh.points, cut);
+  CutPolygon(corners, all.empty() ? std::span<const Point3>(file.mesh.points) : all, cut);
   for (const Triangle& t : cut) file.mesh.triangles.push_back({corners[t[0]], corners[t[1]], corners[t[2]]});
 }
 
 void AddPolygon(const std::vector<int32_t>& corners, std::span<const TextRange> places, const FaceVisitor& visit,
-                MeshFile& file, std::vector<Triangle>& cut) {
+                MeshFile& file, std::vector<Triangle>& cut, std::span<const Point3> all) {
   const size_t first = file.mesh.triangles.size();
-  AddPolygon(corners, file, cut);
+  AddPolygon(corners, file, cut, all);
   if (visit && !cut.empty()) visit(first, places, cut);
 }
 
@@ -80,6 +81,9 @@ absl::Status CheckPatch(const FilePatch& patch, size_t vertex_count, const std::
   }
   const size_t total = vertex_count + patch.new_points.size();
   if (total > static_cast<size_t>(std::numeric_limits<int32_t>::max())) return invalid(total, " vertices are too many");
+  if (!patch.cut_from.empty() && patch.cut_from.size() != patch.triangles.size()) {
+    return invalid(patch.triangles.size(), " triangles but ", patch.cut_from.size(), " that they were cut from");
+  }
   for (const int32_t model : patch.like) {
     if (model < -1 || model >= static_cast<int64_t>(vertex_count)) return invalid("no vertex ", model, " to be like");
   }

@@ -31,11 +31,13 @@ inline constexpr Triangle kWhole[] = {{0, 1, 2}};
 
 // Adds a face, cut into triangles (cut_polygon.h). One with fewer than three corners or with a repeated vertex bounds
 // no surface: it adds no triangle (the file keeps it). Corners are indices of vertices. `cut` gets the triangles by
-// places of the face's corners.
-void AddPolygon(const std::vector<int32_t>& corners, MeshFile& file, std::vector<Triangle>& cut);
+// places of the face's corners. `all` has the vertices that the file will have, for a face that stands before its own;
+// empty: those that `file` has.
+void AddPolygon(const std::vector<int32_t>& corners, MeshFile& file, std::vector<Triangle>& cut,
+                std::span<const Point3> all = {});
 // The same, and tells `visit`, if there is one, of a face that adds triangles.
 void AddPolygon(const std::vector<int32_t>& corners, std::span<const TextRange> places, const FaceVisitor& visit,
-                MeshFile& file, std::vector<Triangle>& cut);
+                MeshFile& file, std::vector<Triangle>& cut, std::span<const Point3> all = {});
 
 // Checks a patch against the number of vertices of its file. There must be an entry of `like` per new point, indices
 // must be in range and coordinates valid. It must be possible to index all vertices together.

@@ -50,13 +50,6 @@ bool IsText(std::string_view bytes) {
          bytes.substr(0, kHeadBytes + kFacetBytes).find('\0') == std::string_view::npos;
 }
 
-// Where the last `endsolid` begins, or the end.
-size_t EndOfFacets(std::string_view text) {
-  size_t end = text.rfind("endsolid");
-  if (end == std::string_view::npos) end = text.rfind("ENDSOLID");
-  return std::min(end, text.size());
-}
-
 MeshFile EmptyFile(std::string_view bytes, NumberType number_type) {
   MeshFile file;
   file.format = MeshFormat::kStl;
@@ -101,13 +94,14 @@ absl::StatusOr<MeshFile> ParseBinary(std::string_view bytes, const std::string& 
 class TextReader {
  public:
   TextReader(std::string_view text, const std::string& name, const FaceVisitor& visit)
-      : text_(text), name_(name), visit_(visit), at_(TextStart(text)) {}
+      : text_(text), name_(name), visit_(visit), at_(TextStart(text)), end_of_facets_(text.size()) {}
 
   absl::StatusOr<MeshFile> Read() {
     MeshFile file = EmptyFile(text_, NumberType::kFloat64);
     while (!AtEnd()) {
       const size_t start = at_;
       const std::string_view word = Word();
+      if (IsWord(word, "endsolid")) end_of_facets_ = start;
       if (IsWord(word, "solid") || IsWord(word, "endsolid")) {
         at_ = std::min(text_.find_first_of("\r\n", start), text_.size());  // its name may be any text
       } else if (IsWord(word, "facet")) {
@@ -118,6 +112,9 @@ class TextReader {
     }
     return file;
   }
+
+  // Where the last `endsolid` that was read begins, or the end.
+  size_t end_of_facets() const { return end_of_facets_; }
 
  private:
   bool AtEnd() {
@@ -174,7 +171,30 @@ class TextReader {
   const std::string& name_;
   const FaceVisitor& visit_;
   size_t at_;
+  size_t end_of_facets_;
 };
+
+// What ParseStl does. `end_of_facets` gets where further facets belong.
+absl::StatusOr<MeshFile> Parse(std::string_view bytes, const std::string& name, const FaceVisitor& visit,
+                               size_t& end_of_facets) {
+  end_of_facets = bytes.size();
+  absl::StatusOr<MeshFile> file = MeshFile();
+  if (IsBinary(bytes)) {
+    file = ParseBinary(bytes, name, visit);
+  } else if (IsText(bytes)) {
+    TextReader reader(bytes, name, visit);
+    file = reader.Read();
+    end_of_facets = reader.end_of_facets();
+  } else if (bytes.size() >= kHeadBytes) {
+    return ByteProblem(name, kCountAt,
+                       absl::StrCat("the header says ", ValueAt<uint32_t>(bytes, kCountAt), " facets, the file has ",
+                                    bytes.size() - kHeadBytes, " bytes of them, 50 each"));
+  } else {
+    return ByteProblem(name, 0, "expected `solid` or a header of 84 bytes");
+  }
+  if (file.ok() && file->mesh.points.empty()) return absl::InvalidArgumentError(absl::StrCat(name, ": ", kNoVertices));
+  return file;
+}
 
 void AppendBinaryFacet(const SpaceTriangle& t, const Eigen::Vector3d& normal, std::string& out) {
   for (int axis = 0; axis < 3; ++axis) AppendValue(static_cast<float>(normal[axis]), out);
@@ -205,27 +225,15 @@ void AppendTextFacet(const SpaceTriangle& t, const Eigen::Vector3d& normal, std:
 }  // namespace
 
 absl::StatusOr<MeshFile> ParseStl(std::string_view bytes, const std::string& name, const FaceVisitor& visit) {
-  absl::StatusOr<MeshFile> file = MeshFile();
-  if (IsBinary(bytes)) {
-    file = ParseBinary(bytes, name, visit);
-  } else if (IsText(bytes)) {
-    file = TextReader(bytes, name, visit).Read();
-  } else if (bytes.size() >= kHeadBytes) {
-    return ByteProblem(name, kCountAt,
-                       absl::StrCat("the header says ", ValueAt<uint32_t>(bytes, kCountAt), " facets, the file has ",
-                                    bytes.size() - kHeadBytes, " bytes of them, 50 each"));
-  } else {
-    return ByteProblem(name, 0, "expected `solid` or a header of 84 bytes");
-  }
-  if (file.ok() && file->mesh.points.empty()) return absl::InvalidArgumentError(absl::StrCat(name, ": ", kNoVertices));
-  return file;
+  size_t end_of_facets = 0;
+  return Parse(bytes, name, visit, end_of_facets);
 }
 
 absl::StatusOr<std::string> AppendToStl(std::string_view bytes, const FilePatch& patch, const std::string& name) {
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseStl(bytes, name));
+  size_t end = 0;
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, Parse(bytes, name, {}, end));
   const bool binary = file.number_type == NumberType::kFloat32;
   const size_t originals = file.mesh.points.size();
-  const size_t end = binary ? bytes.size() : EndOfFacets(bytes);
   const std::string_view eol = binary ? "" : LineEndingOf(bytes);
   std::string out(bytes.substr(0, end));
   if (!binary && !out.empty() && !IsSpace(out.back())) out += eol;

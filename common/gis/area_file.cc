@@ -12,6 +12,7 @@
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_join.h"
 #include "common/gis/gdal_process.h"
 #include "common/gis/vector_message.h"
 #include "common/grid/json_text.h"
@@ -23,6 +24,7 @@ namespace {
 
 constexpr std::string_view kSqlite("SQLite format 3\0", 16);
 constexpr size_t kMostWarnings = 20;   // of a file: it may have the waters of a country
+constexpr size_t kMostHoles = 5;       // in the label of a decision
 constexpr size_t kSqliteHeader = 100;  // bytes, at least
 constexpr std::string_view kZip = "PK\3\4";
 constexpr char kStem[] = "polygons";                                              // of the name that GDAL sees
@@ -226,6 +228,17 @@ absl::Status CheckKind(const std::string& name, WaterArea& area, WaterFile& file
   return absl::OkStatus();
 }
 
+// "decision on hole 4", "decision on holes 0, 2 and 3 more", "decision of feature 7".
+std::string DecisionLabel(const VectorFeature& feature) {
+  const std::vector<int64_t>& holes = feature.holes;
+  if (holes.empty()) return absl::StrCat("decision of ", feature.label);
+  const size_t shown = std::min(holes.size(), kMostHoles);
+  std::string label = absl::StrCat("decision on ", holes.size() == 1 ? "hole " : "holes ",
+                                   absl::StrJoin(holes.begin(), holes.begin() + static_cast<ptrdiff_t>(shown), ", "));
+  if (shown < holes.size()) absl::StrAppend(&label, " and ", holes.size() - shown, " more");
+  return label;
+}
+
 }  // namespace
 
 absl::Status CheckClear(const std::string& name, WaterArea& area, std::vector<std::string>& warnings) {
@@ -316,10 +329,10 @@ absl::StatusOr<WaterFile> ParseDecisionFile(const VectorBytes& bytes, const std:
     area.water = is_water;
     area.polygon = std::move(f.polygon);
     if (is_water) area.level = f.level;
-    area.label = absl::StrCat(f.label, " of --decisions", f.hole ? absl::StrCat(" (hole ", *f.hole, ")") : "");
+    area.label = DecisionLabel(f);
     area.decision = f.decision;
   }
-  if (file.areas.empty()) file.warnings.push_back(absl::StrCat(name, ": holds no decision, so it has no effect"));
+  if (file.areas.empty()) file.warnings.push_back(absl::StrCat(name, ": holds no decision"));
   KeepFirst(kMostWarnings, name, file.warnings);
   return file;
 }

@@ -49,9 +49,10 @@ absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::st
 
 // Reads what was decided on holes: polygons with the property `decision` ("accept", "water", "ground" or "open"). They
 // may have `level_m` (of water; absent: from its shore) and `hole` (for messages). Features without a decision are left
-// out. All areas have a decision; kWater has `water` set.
+// out. All areas have a decision; kWater has `water` set. A file without features holds none, with a warning.
 //
-// Errors as above, with `name` and the feature; kInvalidArgument also for another word, and for a decision on a line.
+// Errors as above, with `name` and the feature; kInvalidArgument also for another word, for a decision on a line, and
+// for features of which none has a decision.
 absl::StatusOr<WaterFile> ParseDecisionFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
                                             const std::stop_token& stop = {});
 

@@ -156,7 +156,7 @@ void SetProperties(const OGRFeature& feature, VectorFeature& to) {
 
 void SetDecision(const OGRFeature& feature, VectorFeature& to) {
   to.decision = DecisionOf(feature, to.label);
-  to.hole = WholeNumberOf(feature, kHoleProperty);
+  if (const auto hole = WholeNumberOf(feature, kHoleProperty)) to.holes = {*hole};
   to.body = WholeNumberOf(feature, kClusterProperty);
   to.level = LevelOf(feature, to.label);
 }

@@ -105,6 +105,9 @@ void UniteBodies(std::vector<VectorFeature>& features) {
     if (body == bodies.end()) continue;
     const size_t parts = body->second.size();
     one.polygon = Unite(body->second).polygon;
+    one.holes.clear();
+    for (const VectorFeature& part : body->second)
+      one.holes.insert(one.holes.end(), part.holes.begin(), part.holes.end());
     if (parts > 1) one.label += " and " + std::to_string(parts - 1) + " more of its body";
     bodies.erase(body);
   }

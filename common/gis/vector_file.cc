@@ -205,6 +205,22 @@ void CheckDrawingEnds(const VectorRequest& request) {
   }
 }
 
+// Features of which none is a decision are those of a wrong file, which would undo all that was decided before.
+void CheckHasDecisions(const Datasets& data, const VectorFile& file) {
+  if (!file.features.empty()) return;
+  GIntBig features = 0;
+  for (const GDALDatasetUniquePtr& set : data) {
+    for (OGRLayer* layer : set->GetLayers()) {
+      if (wkbFlatten(layer->GetGeomType()) != wkbNone) features += layer->GetFeatureCount();
+    }
+  }
+  if (features == 0) return;
+  throw BadVectors{
+      "none of its features (" + std::to_string(features) +
+      ") is a decision: a polygon of a hole with the property \"decision\" (accept, water, ground or open), "
+      "as report.html writes it; a file without features undoes all decisions"};
+}
+
 void Read(const VectorRequest& request, VectorFile& file) {
   CheckCrsName(request.crs_name);
   CheckDrawingEnds(request);
@@ -225,6 +241,7 @@ void Read(const VectorRequest& request, VectorFile& file) {
   for (const auto& [layer, rules] : layers) {
     ReadLayer(*layer, request, layers.size() > 1 ? ShownName(layer->GetName()) + ", " : "", rules, file);
   }
+  if (request.use == VectorUse::kDecisions) CheckHasDecisions(data, file);
 }
 
 // What no driver may do in this process.

@@ -36,7 +36,7 @@ struct VectorFeature {
   bool clear = false;                   // property `clear`
   std::optional<double> clear_height;   // property `clear_height`, metres, >= 0
   std::optional<int64_t> body;          // of a hole in holes.geojson: property `body`; of a decision `cluster`
-  std::optional<int64_t> hole = {};     // of a decision: property `hole`
+  std::vector<int64_t> holes = {};      // of a decision: property `hole` of each feature that is part of it
   ReviewDecision decision = ReviewDecision::kNone;  // property `decision`
 };
 
@@ -94,7 +94,8 @@ struct VectorFile {
 //
 // Errors: bytes of no such format, a geometry that cannot be read, a ring with fewer than four positions or not
 // closed. A coordinate that is no number or ends up beyond 1e9 m. A property of another type or value. A CRS that is
-// not known. Coordinates that cannot be those of this scene (also: that would be, with x and y exchanged).
+// not known. Coordinates that cannot be those of this scene (also: that would be, with x and y exchanged). For
+// kDecisions: features of which none is a decision.
 VectorFile ReadVectors(const VectorRequest& request);
 
 // What is wrong with the CRS of a scene, for people; "" if nothing is, or there is none.

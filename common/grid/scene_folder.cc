@@ -2,10 +2,12 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -79,9 +81,30 @@ struct Findings {
   bool in_folders = false;  // a tile is a folder, as photogrammetry writes them
   std::string unread;       // a tile by its name, in a format that is not read
   std::string unnumbered;   // a tile by its place, whose name has no column and row
-  std::string problem;      // why the scene cannot be read
+  int64_t similar = 0;      // meshes, or packed files, whose names have column and row and more behind
+  std::string first_similar;
+  std::string problem;  // why the scene cannot be read
   std::vector<std::string> warnings;
 };
+
+// Whether "_+000_-014" or the like is anywhere in a name.
+bool HasColumnAndRow(std::string_view name) {
+  for (size_t end = name.size(); end > 0; --end) {
+    std::string_view stem = name.substr(0, end);
+    if (absl::ascii_isdigit(static_cast<unsigned char>(stem.back())) && ReadName(stem).has_value()) return true;
+  }
+  return false;
+}
+
+// Takes note of what is likely a tile under another name: Tile_+000_+014_L17.obj, Tile_+000_+014.ply.gz.
+void NoteSimilar(const fs::path& file, Findings* findings) {
+  constexpr std::string_view kPacked[] = {".gz", ".bz2", ".xz", ".zst", ".zip", ".7z"};
+  const std::string extension = file.extension().string();
+  const bool may_be = IsTileFormat(file.string()) || IsTileTree(file.string()) ||
+                      std::ranges::find(kPacked, extension) != std::end(kPacked);
+  if (!may_be || !HasColumnAndRow(file.filename().string())) return;
+  if (findings->similar++ == 0) findings->first_similar = file.filename().string();
+}
 
 absl::Status AddTile(CellId cell, const fs::path& file, Findings* findings) {
   const auto [at, fresh] = findings->tiles.emplace(cell, file);
@@ -101,7 +124,10 @@ absl::Status FindFiles(const fs::path& folder, Findings* findings) {
   TILEMEND_ASSIGN_OR_RETURN(const std::vector<fs::path> entries, List(folder, PathKind::kFile));
   for (const fs::path& entry : entries) {
     const std::optional<NameOfTile> name = ReadName(entry.stem().string());
-    if (!name.has_value()) continue;
+    if (!name.has_value()) {
+      NoteSimilar(entry, findings);
+      continue;
+    }
     if (IsTileTree(entry.string())) {
       findings->problem = absl::StrCat(entry.string(), ": an .osgb tile has to lie in a folder of its own, as ",
                                        entry.stem().string(), "/", entry.filename().string());
@@ -124,6 +150,7 @@ absl::StatusOr<fs::path> MeshOfFolder(const fs::path& folder, Findings* findings
     const bool same_name = entry.stem() == folder.filename();
     if (!IsTileFormat(entry.string())) {
       if (same_name && entry.extension() != ".mtl") findings->unread = entry.string();
+      if (!same_name) NoteSimilar(entry, findings);
       continue;
     }
     meshes.push_back(entry);
@@ -185,8 +212,14 @@ absl::StatusOr<Findings> FindTiles(const std::string& root) {
         absl::StrCat(findings.unnumbered, ": a name without column and row, as Tile_+000_+014 has. Write a scene.json ",
                      "that says which cell each tile is, or export the mesh in tiles of a regular plane grid"));
   }
+  std::string similar;
+  if (findings.similar > 0) {
+    similar =
+        absl::StrCat("; found ", findings.similar, findings.similar == 1 ? " file named " : " files such as ",
+                     Printable(findings.first_similar), ": unpack or rename ", findings.similar == 1 ? "it" : "them");
+  }
   return absl::NotFoundError(absl::StrCat(root, ": no scene.json, and no tile named like Tile_+000_+014.ply in it, in ",
-                                          "tiles/ or in Data/Tile_+000_+014/"));
+                                          "tiles/ or in Data/Tile_+000_+014/", similar));
 }
 
 // "500000.0,4100000.0,0"

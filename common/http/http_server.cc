@@ -11,6 +11,7 @@
 #include <cstring>
 #include <mutex>
 #include <semaphore>
+#include <string_view>
 #include <thread>
 
 #include "absl/strings/ascii.h"
@@ -95,8 +96,9 @@ TlsContext NewContext(HttpSecurity& security) {
   return context;
 }
 
-// The connection that this thread answers.
+// The connection that this thread answers, and what its answer has to keep until it is sent.
 thread_local const TimedConnection* current_connection = nullptr;
+thread_local std::shared_ptr<void> current_until_sent;
 
 class TimedServer : public httplib::Server {
  public:
@@ -128,6 +130,7 @@ class TimedServer : public httplib::Server {
       request.set_header("Accept-Encoding", "");
     });
     current_connection = nullptr;
+    current_until_sent.reset();  // the body is gone
   }
   void Stop() {
     room_.Close();
@@ -181,9 +184,15 @@ HttpRequest RequestOf(const httplib::Request& from) {
   return request;
 }
 
+// Whether the library reads a body. Without a length it does so until the connection ends.
+bool ReadsBody(const std::string& method) {
+  constexpr std::array<std::string_view, 5> kMethods = {"POST", "PUT", "PATCH", "DELETE", "PRI"};
+  return std::ranges::find(kMethods, method) != kMethods.end();
+}
+
 // Before the body comes: the library would read one that it refuses, and a thread wait for it.
 bool RefuseByHead(const httplib::Request& request, size_t most_bytes, httplib::Response& response) {
-  if (request.has_header("Transfer-Encoding")) {
+  if (request.has_header("Transfer-Encoding") || (ReadsBody(request.method) && !request.has_header("Content-Length"))) {
     response.status = 411;
     response.body = "a body needs its length before it (Content-Length)\n";
   } else if (request.get_header_value<uint64_t>("Content-Length") > most_bytes) {
@@ -226,6 +235,7 @@ struct HttpServer::Impl {
 
 void HttpServer::Impl::Answer(const httplib::Request& request, httplib::Response& response) const {
   HttpAnswer answer = handler(RequestOf(request));
+  current_until_sent = std::move(answer.until_sent);
   response.status = answer.status;
   for (const auto& [name, value] : answer.headers) response.set_header(name, value);
   if (answer.status == 304) return;

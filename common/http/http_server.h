@@ -34,6 +34,7 @@ struct HttpAnswer {
   std::string type = "text/plain; charset=utf-8";
   std::string body = {};
   std::vector<std::pair<std::string, std::string>> headers = {};
+  std::shared_ptr<void> until_sent = nullptr;  // let go when the body was sent, or cannot be
 };
 
 // Paths of PEM files, which are read again for each connection: new ones count at once.
@@ -52,7 +53,8 @@ struct HttpLimits {
 
 // 16 threads answer the connections from which a whole request came (of TLS its first byte). 64 such are served or wait
 // for a thread. 256 others wait without a thread (waiting_room.h); of more, those that came first are closed. So
-// connections that ask nothing, or ask byte by byte, delay nobody. A request has 64 KB at most.
+// connections that ask nothing, or ask byte by byte, delay nobody. A request has 64 KB at most, and without TLS a head
+// of 16 KB (431). What may have a body needs its length before it (411).
 class HttpServer {
  public:
   // Called on threads of the server.

@@ -5,6 +5,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <string_view>
@@ -25,10 +26,15 @@ constexpr int kLookMilliseconds = 250;
 
 constexpr std::string_view kHeadEnd = "\r\n\r\n";
 
-// Bytes of a request; a longer one goes on to a thread, which reads or refuses it in its own time.
-constexpr size_t kMostRequest = 8192;
+// Bytes of a head, as Node.js has it by default. The library refuses a line of more than 8,192.
+constexpr size_t kMostHead = 16384;
 
-// What the head says of the body; 0 if it says nothing that can be read.
+constexpr std::string_view kHeadTooLong =
+    "HTTP/1.1 431 Request Header Fields Too Large\r\nContent-Type: text/plain; charset=utf-8\r\n"
+    "Content-Length: 40\r\nConnection: close\r\n\r\nthe head of a request has at most 16 KB\n";
+
+// What the head says of the body; 0 if it says nothing that can be read: the server refuses it by the head then, or
+// there is none.
 size_t BodyLength(absl::string_view head) {
   for (const absl::string_view line : absl::StrSplit(head, "\r\n")) {
     const std::pair<absl::string_view, absl::string_view> field = absl::StrSplit(line, absl::MaxSplits(':', 1));
@@ -38,11 +44,17 @@ size_t BodyLength(absl::string_view head) {
   return 0;
 }
 
-bool IsWhole(std::string_view request, size_t most_body) {
-  const size_t end = request.find(kHeadEnd);
-  if (end == std::string_view::npos) return request.size() == kMostRequest;
+// `end`: of the head.
+bool IsWhole(std::string_view request, size_t end, size_t most_body) {
   const size_t length = BodyLength({request.data(), end}), there = request.size() - end - kHeadEnd.size();
-  return there >= length || length > most_body || request.size() == kMostRequest;
+  return there >= length || length > most_body;
+}
+
+// Says so, as far as that goes at once. What has come is read, since the connection would else be reset.
+void RefuseHead(int fd, std::string& buffer) {
+  recv(fd, buffer.data(), buffer.size(), MSG_DONTWAIT);
+  send(fd, kHeadTooLong.data(), kHeadTooLong.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+  shutdown(fd, SHUT_WR);
 }
 
 }  // namespace
@@ -52,6 +64,7 @@ WaitingRoom::WaitingRoom(Limits limits, std::function<void(int fd)> leave)
       leave_(std::move(leave)),
       epoll_(epoll_create1(EPOLL_CLOEXEC)),
       wake_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
+      seen_(kMostHead + kHeadEnd.size() + limits.body_bytes, '\0'),
       thread_([this] { Watch(); }) {
   epoll_event event{.events = EPOLLIN, .data = {.fd = wake_}};
   epoll_ctl(epoll_, EPOLL_CTL_ADD, wake_, &event);
@@ -87,9 +100,15 @@ void WaitingRoom::Close() {
 }
 
 void WaitingRoom::CloseFirst() {
-  by_fd_.erase(guests_.front().fd);
-  close(guests_.front().fd);
-  guests_.pop_front();
+  const int fd = guests_.front().fd;
+  Forget(fd);
+  close(fd);
+}
+
+void WaitingRoom::Forget(int fd) {
+  const auto known = by_fd_.find(fd);
+  guests_.erase(known->second);
+  by_fd_.erase(known);
 }
 
 void WaitingRoom::CloseOverdue() {
@@ -98,22 +117,29 @@ void WaitingRoom::CloseOverdue() {
   while (!guests_.empty() && guests_.front().until <= now) CloseFirst();
 }
 
-bool WaitingRoom::IsReady(int fd) const {
-  std::array<char, kMostRequest> request{};
-  const ssize_t count = recv(fd, request.data(), request.size(), MSG_PEEK | MSG_DONTWAIT);
-  if (count < 0) return errno != EAGAIN && errno != EINTR;
-  return count == 0 || !limits_.whole_request ||
-         IsWhole({request.data(), static_cast<size_t>(count)}, limits_.body_bytes);
+WaitingRoom::Sent WaitingRoom::LookAt(int fd) {
+  const ssize_t count = recv(fd, seen_.data(), seen_.size(), MSG_PEEK | MSG_DONTWAIT);
+  if (count < 0) return errno == EAGAIN || errno == EINTR ? Sent::kPart : Sent::kAll;
+  if (count == 0 || !limits_.whole_request) return Sent::kAll;
+  const std::string_view request(seen_.data(), static_cast<size_t>(count));
+  const size_t end = request.find(kHeadEnd);
+  if (std::min(end, request.size()) > kMostHead) return Sent::kTooMuch;
+  return end != std::string_view::npos && IsWhole(request, end, limits_.body_bytes) ? Sent::kAll : Sent::kPart;
 }
 
 void WaitingRoom::TakeReady(int fd) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const auto known = by_fd_.find(fd);
-    if (known == by_fd_.end() || !IsReady(fd)) return;
+    if (!by_fd_.contains(fd)) return;
+    const Sent sent = LookAt(fd);
+    if (sent == Sent::kPart) return;
+    Forget(fd);
+    if (sent == Sent::kTooMuch) {
+      RefuseHead(fd, seen_);
+      close(fd);
+      return;
+    }
     epoll_ctl(epoll_, EPOLL_CTL_DEL, fd, nullptr);
-    guests_.erase(known->second);
-    by_fd_.erase(known);
   }
   leave_(fd);
 }

@@ -7,6 +7,7 @@
 #include <list>
 #include <map>
 #include <mutex>
+#include <string>
 #include <thread>
 
 #include "absl/time/time.h"
@@ -14,7 +15,7 @@
 namespace tilemend {
 
 // One thread watches all of them. When there are too many, the one that came first is closed: who has something to ask
-// does so at once. Thread-safe.
+// does so at once. A head of more than 16 KB is answered 431 here. Thread-safe.
 class WaitingRoom {
  public:
   struct Limits {
@@ -41,18 +42,23 @@ class WaitingRoom {
   };
   using Guests = std::list<Guest>;
 
+  // kAll: what is waited for, or it can send no more. kTooMuch: a head of more than 16 KB.
+  enum class Sent { kPart, kAll, kTooMuch };
+
   void Watch();
-  // Whether it has sent what it waits for, or can send no more.
-  bool IsReady(int fd) const;
   void TakeReady(int fd);
   void CloseOverdue();
-  void CloseFirst();  // needs the lock
+  // These need the lock.
+  Sent LookAt(int fd);
+  void Forget(int fd);
+  void CloseFirst();
 
   const Limits limits_;
   const std::function<void(int fd)> leave_;
   const int epoll_, wake_;
   std::mutex mutex_;
-  Guests guests_;  // the first first
+  std::string seen_;  // room for LookAt
+  Guests guests_;     // the first first
   std::map<int, Guests::iterator> by_fd_;
   bool closed_ = false;
   std::thread thread_;  // last: it uses the others

@@ -44,18 +44,10 @@ absl::Status TlsError(const std::string& path, const std::string& what) {
 // Nobody is asked for the key of a key: the program may have no terminal.
 int NoPassword(char*, int, int, void*) { return 0; }
 
-absl::Status CheckPlaintext(const Security& security, const std::string& address) {
+// `fault`: what is wrong if there is no TLS, and the flags for it.
+absl::Status CheckPlaintext(const Security& security, const std::string& address, const char* fault) {
   if (!security.tls.empty() || security.plaintext || IsLoopback(address)) return absl::OkStatus();
-  if (!security.token_file.empty()) {
-    return absl::InvalidArgumentError(
-        absl::StrCat(address,
-                     ": --tls-ca is missing: without TLS the token would leave this machine in plain text; give "
-                     "--tls-ca, or --insecure if the network is private"));
-  }
-  return absl::InvalidArgumentError(
-      absl::StrCat(address,
-                   ": plain text would leave this machine; give --tls-cert, --tls-key and --tls-ca, or "
-                   "--insecure if the network is private"));
+  return absl::InvalidArgumentError(absl::StrCat(address, ": ", fault, ", or --insecure if the network is private"));
 }
 
 std::shared_ptr<tls::CertificateProviderInterface> Watch(const TlsFiles& files) {
@@ -115,7 +107,8 @@ Security SecurityFromFlags(const Flags& flags) {
 }
 
 absl::Status CheckServerSecurity(const Security& security, const std::string& address) {
-  TILEMEND_RETURN_IF_ERROR(CheckPlaintext(security, address));
+  TILEMEND_RETURN_IF_ERROR(
+      CheckPlaintext(security, address, "plain text would leave this machine; give --tls-cert and --tls-key"));
   if (!security.tls.authority.empty() && security.tls.certificate.empty()) {
     return absl::InvalidArgumentError("--tls-ca needs --tls-cert and --tls-key");
   }
@@ -123,7 +116,12 @@ absl::Status CheckServerSecurity(const Security& security, const std::string& ad
 }
 
 absl::Status CheckChannelSecurity(const Security& security, const std::string& address) {
-  TILEMEND_RETURN_IF_ERROR(CheckPlaintext(security, address));
+  const char* const fault =
+      security.token_file.empty()
+          ? "plain text would leave this machine; give --tls-ca (and --tls-cert and --tls-key if the coordinator asks "
+            "for a certificate)"
+          : "--tls-ca is missing: without TLS the token would leave this machine in plain text; give --tls-ca";
+  TILEMEND_RETURN_IF_ERROR(CheckPlaintext(security, address, fault));
   if (!security.token_file.empty()) TILEMEND_RETURN_IF_ERROR(ReadToken(security.token_file).status());
   return CheckTlsFiles(security.tls, security.tls);
 }

@@ -145,6 +145,7 @@ absl::StatusOr<PatchedBytes> PatchedTile(const v1::AssembleInput& input, const T
   result.bytes = std::move(tree.pack);
   AddLevels(tree.levels, result.levels);
   result.warnings = std::move(tree.warnings);
+  result.new_geometries = std::move(tree.new_geometries);
   return result;
 }
 

@@ -49,8 +49,9 @@ absl::Status TakeTexture(const v1::AssembleInput& input, std::string_view origin
 
 struct PatchedBytes {
   std::string bytes;
-  std::vector<LevelCounts> levels = {};    // of a tree, without `nodes`; empty for other formats
-  std::vector<std::string> warnings = {};  // on holes of coarser levels that stay open
+  std::vector<LevelCounts> levels = {};      // of a tree, without `nodes`; empty for other formats
+  std::vector<std::string> warnings = {};    // on holes of coarser levels that stay open
+  std::vector<int32_t> new_geometries = {};  // of a tree with a patch: as of PatchedTree
 };
 
 // The bytes of the tile with the patch, in all of its levels of detail: of a new file if the cell has no tile, else of

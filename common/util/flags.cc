@@ -21,6 +21,12 @@ const FlagSpec* SpecOf(const std::vector<FlagSpec>& specs, const std::string& sh
   return found == specs.end() ? nullptr : &*found;
 }
 
+// The flag that `word` ends with: one alone, or the last letter of several in one word (`-vo`).
+const FlagSpec* LastFlagOf(const std::vector<FlagSpec>& specs, const std::string& word) {
+  const FlagSpec* const alone = SpecOf(specs, word);
+  return alone != nullptr || word.empty() ? alone : SpecOf(specs, {'-', word.back()});
+}
+
 absl::Status UnknownFlag(const std::vector<FlagSpec>& specs, const std::string& word) {
   const std::string shown = word.substr(0, word.find('='));
   std::vector<std::string> names;
@@ -68,9 +74,10 @@ absl::Status ParseWords(const std::vector<FlagSpec>& specs, const std::vector<st
   std::ranges::reverse(prepared);  // as CLI11 wants them
   try {
     app.parse(std::move(prepared));
-  } catch (const CLI::ArgumentMismatch&) {  // of the last word: every other flag has a word after it
-    const FlagSpec& last = *SpecOf(specs, words.back());
-    return absl::InvalidArgumentError(absl::StrCat("--", last.name, " needs a value: ", last.value));
+  } catch (const CLI::ArgumentMismatch& error) {  // of the last word: every other flag has a word after it
+    const FlagSpec* const last = words.empty() ? nullptr : LastFlagOf(specs, words.back());
+    if (last == nullptr) return absl::InvalidArgumentError(error.what());
+    return absl::InvalidArgumentError(absl::StrCat("--", last->name, " needs a value: ", last->value));
   } catch (const CLI::ParseError& error) {
     return absl::InvalidArgumentError(error.what());
   }

@@ -94,6 +94,20 @@ absl::Status CheckOutputGone(const JobSpec& spec) {
       {"OUTPUT_EXISTS", {}});
 }
 
+// Sets what `cells` says of later jobs: the last that is complete, else the last. Needs the lock. Cost: O(later jobs).
+void SetLaterJob(const Cluster& cluster, const Job& job, JobCells& cells) {
+  const std::string& out_key = cluster.jobs.at(job.id).out_key;
+  if (!IsOver(job.state) || out_key.empty()) return;
+  const auto& numbers = cluster.state.job_numbers();
+  for (auto it = numbers.rbegin(); it != numbers.rend() && it->first > job.number; ++it) {
+    const auto other = cluster.jobs.find(it->second);
+    if (other == cluster.jobs.end() || other->second.out_key != out_key) continue;
+    cells.later_is_complete = other->second.completed || !other->second.outcome.report.empty();
+    if (cells.later_is_complete || cells.later_job.empty()) cells.later_job = absl::StrCat("jobs/", it->second);
+    if (cells.later_is_complete) return;
+  }
+}
+
 }  // namespace
 
 absl::StatusOr<v1::Job> JobsHandler::CreateJob(const v1::CreateJobRequest& request, JobOrigin origin) {
@@ -127,6 +141,7 @@ absl::StatusOr<JobCells> JobsHandler::GetCells(const std::string& name) {
     for (const auto& [id, task] : job->tasks) {
       if (!task.leases.empty()) answer.held.insert(task.cell);
     }
+    SetLaterJob(cluster_, *job, answer);
     return answer;
   });
 }

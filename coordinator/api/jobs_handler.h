@@ -31,6 +31,10 @@ struct JobCells {
   JobSpec spec;
   std::string report;                                 // path of report.json, "" if there is none
   std::shared_ptr<const SceneSight> sight = nullptr;  // of a job that runs, once its scene is read
+  // Of a job that is over: "jobs/ID" of the last job after it that completed the same output. If there is none, of the
+  // last that may have begun to write there; "" without such a job.
+  std::string later_job = {};
+  bool later_is_complete = false;
 };
 
 // Thread-safe; every call is short. The messages say what each call does and which errors it has.

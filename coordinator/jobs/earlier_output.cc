@@ -1,5 +1,7 @@
 #include "coordinator/jobs/earlier_output.h"
 
+#include <algorithm>
+
 #include "absl/strings/str_cat.h"
 #include "common/records/output_names.h"
 #include "common/store/digest.h"
@@ -24,6 +26,16 @@ absl::StatusOr<bool> MayReplace(const JobSpec& spec, const std::string& key) {
           ": the output there is of another scene or other options, so decisions do not apply to it; give those that "
           "its report.json names, choose another --out, or give --overwrite to do all of it again")),
       {"OUTPUT_EXISTS", {}});
+}
+
+void WarnOfUndoneDecisions(const JobSpec& spec, WaterChoice& water) {
+  const auto is_decision = [](const WaterArea& area) { return area.decision != ReviewDecision::kNone; };
+  if (spec.decisions().empty() || std::ranges::any_of(water.options.areas, is_decision)) return;
+  const auto report = ReadFile(absl::StrCat(spec.out(), "/", kReportFiles[0]));
+  const size_t decided = report.ok() ? DecidedHolesIn(*report) : 0;
+  if (decided == 0) return;
+  water.warnings.push_back(absl::StrCat(spec.decisions(), ": the decisions of the last run on ", decided,
+                                        decided == 1 ? " hole are undone" : " holes are undone"));
 }
 
 absl::StatusOr<JobOnOutput> OnOutput(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest,

@@ -125,8 +125,9 @@ std::string MessageOf(const JobSpec& spec, const SceneReportInput& report, const
   }
   std::string message =
       spec.dry_run() ? absl::StrCat(all, " holes found, nothing written: ", chosen - stay_open,
-                                    " to fill (filling may find some that stay open), ", stay_open, " that stay open")
-                     : absl::StrCat(report.outcome.sizes.size(), " of ", chosen, " holes filled",
+                                    " to fill (filling may find some that stay open), ", stay_open,
+                                    stay_open == 1 ? " that stays open" : " that stay open")
+                     : absl::StrCat(report.outcome.sizes.size(), " of ", chosen, " holes filled", UncountedText(report),
                                     all_closed ? "" : "; the report lists what is left open");
   if (!spec.cells().empty()) {
     absl::StrAppend(&message, "; ", chosen, " of ", all, " holes are in the ", report.outcome.chosen.size(), " of ",
@@ -152,10 +153,15 @@ struct Steps {
   Stopwatch watch;
   std::vector<std::pair<std::string, double>> seconds;
   std::shared_ptr<SceneSight> sight;
+  int64_t holes = 0;    // in the cells that were chosen, of the plan
+  absl::Status levels;  // CheckLevels, once the surface is known
 
   void End(std::string_view step, const SceneWaves& waves) {
     seconds.emplace_back(step, watch.Lap());
+    if (step == "survey") levels = CheckLevels(waves.options().plan.water.areas, waves.survey().records());
     if (step == "plan") sight->SetPlan(waves.plan(), waves.outcome().chosen);
+    holes = std::ranges::count_if(waves.plan().holes,
+                                  [&](const PlannedHole& hole) { return waves.options().IsChosen(hole.cell); });
   }
 };
 
@@ -233,9 +239,9 @@ class ScenePipeline : public JobPipeline {
     Progress progress;
     // Also if all of it is known from an earlier run: nobody is to see the job go back.
     progress.phase = waves_.done() && verification_.is_wanted() ? kVerifyPhase : waves_.phase();
-    progress.cells = static_cast<int64_t>(waves_.scene().tiles.size());
-    progress.cells_done = waves_.cells_done();
-    progress.holes = static_cast<int64_t>(waves_.plan().holes.size());
+    progress.cells = waves_.cells().all;
+    progress.cells_done = waves_.cells().done;
+    progress.holes = steps_.holes;
     progress.holes_filled = static_cast<int64_t>(waves_.outcome().sizes.size());
     progress.triangles = waves_.outcome().triangles;
     progress.taken_over = reuse_->taken_over();
@@ -302,6 +308,7 @@ class ScenePipeline : public JobPipeline {
     size_t bytes = 0;
     while (bytes < kEnoughBytes && tasks.size() < kEnoughTasks && tasks_out_ < kMostTasksOut) {
       std::optional<SceneWork> next = waves_.Next();
+      TILEMEND_RETURN_IF_ERROR(steps_.levels);
       if (!next) break;
       if (end_.is_cancelled()) return absl::CancelledError("the job was cancelled");
       if (std::holds_alternative<AssembleWork>(*next) && !std::exchange(writing_, true)) {
@@ -414,6 +421,7 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
   TILEMEND_RETURN_IF_ERROR(AddClearFile(spec.clear(), FrameOf(scene), water, stop));
   TILEMEND_RETURN_IF_ERROR(KeepClearInside(scene.area, water));
   TILEMEND_RETURN_IF_ERROR(AddDecisions(spec.decisions(), FrameOf(scene), water, stop));
+  WarnOfUndoneDecisions(spec, water);
   water.options.profile = *WaterProfileNamed(spec.water_profile());
   for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));
   TILEMEND_ASSIGN_OR_RETURN(JobOnOutput job, OnOutput(spec, water, area_digest, scene));

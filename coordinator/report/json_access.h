@@ -18,19 +18,6 @@ inline const nlohmann::ordered_json& Member(const nlohmann::ordered_json& object
   return it == object.end() ? kNull : *it;
 }
 
-inline constexpr int kMostDepth = 64;
-
-// A file that people may have changed. What is nested deeper than kMostDepth is left out: to write 60,000 levels again
-// takes more stack than there is. Discarded (is_discarded) if it is no JSON.
-inline nlohmann::ordered_json ParseShallow(const std::string& text) {
-  using Json = nlohmann::ordered_json;
-  const auto is_shallow = [](int depth, Json::parse_event_t event, const Json&) {
-    return depth <= kMostDepth ||
-           (event != Json::parse_event_t::object_start && event != Json::parse_event_t::array_start);
-  };
-  return Json::parse(text, is_shallow, false);
-}
-
 // A text as it is, "" of null, other values as JSON.
 inline std::string Text(const nlohmann::ordered_json& value) {
   if (value.is_null()) return "";
@@ -46,9 +33,25 @@ inline std::string Decimals(const nlohmann::ordered_json& value, int digits) {
   return value.is_number() ? absl::StrFormat("%.*f", digits, value.get<double>()) : Text(value);
 }
 
-// An area in square metres with one decimal; those of loops that run the wrong way round are negative.
+// An area in square metres with one decimal, below 1 with two significant digits. Those of loops that run the wrong way
+// round are negative.
+inline std::string AreaText(double area) {
+  const double size = std::abs(area);
+  if (size == 0 || size >= 1) return absl::StrFormat("%.1f", size);
+  if (size < 1e-4) return absl::StrFormat("%.2g", size);
+  return absl::StrFormat("%.*f", 1 - static_cast<int>(std::floor(std::log10(size))), size);
+}
+
+// The same; "-" if it is not known.
 inline std::string AreaText(const nlohmann::ordered_json& value) {
-  return value.is_number() ? absl::StrFormat("%.1f", std::abs(value.get<double>())) : Text(value);
+  if (value.is_null()) return "-";
+  return value.is_number() ? AreaText(value.get<double>()) : Text(value);
+}
+
+// A place in a scene (two coordinates) with two decimals. That of a mesh, which may be small, is as precise as it is.
+inline std::string CentreText(const nlohmann::ordered_json& value) {
+  if (!value.is_array() || value.size() != 2) return Text(value);
+  return "[" + Decimals(value[0], 2) + "," + Decimals(value[1], 2) + "]";
 }
 
 }  // namespace tilemend

@@ -1,13 +1,14 @@
 #include "coordinator/report/left_open.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "absl/strings/str_cat.h"
 #include "coordinator/plan/types/left_reasons.h"
+#include "coordinator/report/json_access.h"
 
 namespace tilemend {
 namespace {
-
-constexpr char kNotChosen[] = "in a cell that was not chosen";
 
 bool IsChosen(const SceneReportInput& input, CellId cell) {
   return input.outcome.chosen.empty() || input.outcome.chosen.contains(cell);
@@ -19,7 +20,42 @@ bool IsTiny(const PlannedHole& hole) {
   return is_known && hole.area < kTinyHole;
 }
 
+std::string TextOfUncounted(int64_t tiny, int64_t decided) {
+  std::string text;
+  if (tiny > 0) {
+    absl::StrAppend(&text, "; ", tiny, " left open ", tiny == 1 ? "is" : "are", " smaller than ", kTinyHole, " m2 and ",
+                    tiny == 1 ? "does" : "do", " not count");
+  }
+  if (decided > 0) {
+    absl::StrAppend(&text, "; ", decided, " left open by decision ", decided == 1 ? "does" : "do", " not count");
+  }
+  return text;
+}
+
 }  // namespace
+
+std::string UncountedText(const SceneReportInput& input) {
+  int64_t tiny = 0, decided = 0;
+  for (const LeftOpen& left : LeftOf(input)) {
+    if (!left.is_hole || left.hole < 0) continue;
+    const bool is_decided = left.reason == kLeftByDecision;
+    decided += is_decided;
+    tiny += !is_decided && IsTiny(input.plan->holes[static_cast<size_t>(left.hole)]);
+  }
+  return TextOfUncounted(tiny, decided);
+}
+
+std::string UncountedText(const nlohmann::ordered_json& report) {
+  int64_t tiny = 0, decided = 0;
+  for (const nlohmann::ordered_json& hole : Member(report, "per_hole")) {
+    const std::string reason = Text(Member(hole, "reason"));
+    const nlohmann::ordered_json& area = Member(hole, "area_m2");
+    if (Text(Member(hole, "outcome")) != "left" || reason == kNotChosen) continue;
+    decided += reason == kLeftByDecision;
+    tiny += reason != kLeftByDecision && area.is_number() && std::abs(Number(area)) < kTinyHole;
+  }
+  return TextOfUncounted(tiny, decided);
+}
 
 std::vector<LeftOpen> LeftOf(const SceneReportInput& input) {
   std::vector<LeftOpen> left = input.plan->left;

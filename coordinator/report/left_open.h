@@ -3,6 +3,7 @@
 #define TILEMEND_COORDINATOR_REPORT_LEFT_OPEN_H_
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@
 
 namespace tilemend {
 
+// FailureOf a hole in a cell that was not chosen.
+inline constexpr char kNotChosen[] = "in a cell that was not chosen";
+
 // Of the plan, then of its outcome, in the cells that were chosen.
 std::vector<LeftOpen> LeftOf(const SceneReportInput& input);
 
@@ -18,12 +22,19 @@ std::vector<LeftOpen> LeftOf(const SceneReportInput& input);
 // detached pieces and of a mesh itself are none.
 bool SomeHolesLeft(const SceneReportInput& input);
 
-// A hole of less is shown as 0.0 m2. It does not make an output partial; the report lists it.
+// A hole of less does not make an output partial; the report lists it.
 inline constexpr double kTinyHole = 0.05;  // m2
 
 // The same of a scene, whose lengths are metres: holes of less than kTinyHole, and those that a reviewer wants open, do
 // not count. An area that is not known counts.
 bool IsPartial(const SceneReportInput& input);
+
+// "; 2 left open are smaller than 0.05 m2 and do not count; 1 left open by decision does not count": of the holes in
+// LeftOf that IsPartial does not count. "" without any.
+std::string UncountedText(const SceneReportInput& input);
+
+// The same from report.json.
+std::string UncountedText(const nlohmann::ordered_json& report);
 
 // Why a hole is not filled; "" if it is.
 std::string FailureOf(const SceneReportInput& input, int32_t hole);

@@ -18,11 +18,12 @@ std::string KindNameOf(const Json& hole) {
 }
 
 Json PageHole(const Json& hole) {
+  const Json& area = Member(hole, "area_m2");
   return {{"id", Member(hole, "id")},
           {"cell", Member(hole, "cell")},
           {"centre", Member(hole, "centre")},
           {"kind", KindNameOf(hole)},
-          {"area", std::abs(Number(Member(hole, "area_m2")))},
+          {"area", area.is_null() ? Json() : Json(std::abs(Number(area)))},
           {"rim", Member(hole, "perimeter_m")},
           {"filled", !IsLeftOpen(hole)},
           {"method", Text(Member(hole, "method"))},

@@ -10,6 +10,7 @@
 #include "common/store/gzip.h"
 #include "common/util/status_macros.h"
 #include "coordinator/report/json_access.h"
+#include "coordinator/report/shallow_json.h"
 
 namespace tilemend {
 namespace {
@@ -35,15 +36,15 @@ const Json& HoleIn(const Json& feature) { return Member(Member(feature, "propert
 bool IsDecided(const Json& feature) { return Member(Member(feature, "properties"), "decision").is_string(); }
 
 // holes.geojson without the features of other holes that nobody decided on.
-absl::StatusOr<Json> ReadHoles(const std::string& text, const std::map<int64_t, int64_t>& item_of) {
-  const auto is_wanted = [&](int depth, Json::parse_event_t event, const Json& value) {
-    if (depth > kMostDepth && event != Json::parse_event_t::value) return false;
-    const bool is_feature = event == Json::parse_event_t::object_end && depth == 2 && value.contains("geometry");
-    if (!is_feature) return true;  // the CRS has an object at this depth as well
+absl::StatusOr<Json> ReadHoles(const std::string& text, const std::map<int64_t, int64_t>& item_of,
+                               const std::stop_token& stop) {
+  const auto is_wanted = [&](int depth, const Json& value) {
+    if (depth != 2 || !value.contains("geometry")) return true;  // the CRS has an object at this depth as well
     const Json& hole = HoleIn(value);
     return IsDecided(value) || (hole.is_number_integer() && item_of.contains(hole.get<int64_t>()));
   };
-  Json json = Json::parse(text, is_wanted, false);
+  Json json = ParseShallow(text, {.keep = is_wanted, .stop = stop});
+  if (stop.stop_requested()) return absl::CancelledError("asked to end while holes.geojson was read");
   if (!json.is_object()) return absl::InvalidArgumentError("holes.geojson: not GeoJSON (expected an object)");
   return json;
 }
@@ -65,6 +66,11 @@ Json OutlinesOf(const Json& holes, const std::map<int64_t, int64_t>& item_of) {
   return outlines;
 }
 
+// Whether `level_m` is that of a decision. What the run found at the shore has a standard deviation.
+bool HasGivenLevel(const Json& properties) {
+  return Member(properties, "decision") == "water" && Member(properties, "sigma_m").is_null();
+}
+
 // The features of earlier decisions, with what --decisions reads of them. What has no polygon is left out: no decision
 // could have covered it.
 Json EarlierOf(const Json& holes) {
@@ -72,11 +78,10 @@ Json EarlierOf(const Json& holes) {
   for (const Json& feature : Member(holes, "features")) {
     const Json& type = Member(Member(feature, "geometry"), "type");
     if (!IsDecided(feature) || (type != "Polygon" && type != "MultiPolygon")) continue;
+    const Json& decided = Member(feature, "properties");
     Json properties = Json::object();
-    for (const char* name : {"hole", "cluster", "decision", "level_m"}) {
-      properties[name] = Member(Member(feature, "properties"), name);
-    }
-    if (properties["decision"] != "water") properties["level_m"] = nullptr;
+    for (const char* name : {"hole", "cluster", "decision"}) properties[name] = Member(decided, name);
+    properties["level_m"] = HasGivenLevel(decided) ? Member(decided, "level_m") : Json();
     earlier.push_back({{"type", "Feature"}, {"properties", std::move(properties)}, {"geometry", feature["geometry"]}});
   }
   return earlier;
@@ -89,13 +94,14 @@ absl::StatusOr<std::string> Packed(const Json& json) {
 
 }  // namespace
 
-absl::StatusOr<Json> PageReview(const Json& report, const std::string& holes, const Scene* scene) {
+absl::StatusOr<Json> PageReview(const Json& report, const std::string& holes, const Scene* scene,
+                                const std::stop_token& stop) {
   const Json& rows = Member(report, "review");
   Json items = Json::array();
   const size_t count = rows.is_array() ? rows.size() : 0;
   for (size_t i = 0; i < std::min(count, kMostReviewItems); ++i) items.push_back(rows[i]);
   const std::map<int64_t, int64_t> item_of = ItemsOfHoles(items);
-  TILEMEND_ASSIGN_OR_RETURN(const Json geojson, ReadHoles(holes, item_of));
+  TILEMEND_ASSIGN_OR_RETURN(const Json geojson, ReadHoles(holes, item_of, stop));
   TILEMEND_ASSIGN_OR_RETURN(std::string outlines, Packed(OutlinesOf(geojson, item_of)));
   TILEMEND_ASSIGN_OR_RETURN(std::string earlier, Packed(EarlierOf(geojson)));
   return Json{{"count", count},

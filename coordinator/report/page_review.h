@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <stop_token>
 #include <string>
 
 #include "absl/status/statusor.h"
@@ -20,10 +21,12 @@ inline constexpr size_t kMostReviewItems = 1000;
 //   z         the height of their levels' zero; null without `scene`
 //   crs       of `holes`
 //   outlines  base64 of gzip of an object: by hole number of the item the coordinates of a MultiPolygon
-//   earlier   the same of a list: the features of decisions that were made before. The next file has them too
-// kInvalidArgument if `holes` is no GeoJSON. Cost: linear; features of other holes are dropped as they are read.
+//   earlier   the same of a list: the features of decisions that were made before, as they were made. The next file
+//             has them too
+// kInvalidArgument if `holes` is no GeoJSON, kCancelled after a stop. Cost: linear; features of other holes are dropped
+// as they are read.
 absl::StatusOr<nlohmann::ordered_json> PageReview(const nlohmann::ordered_json& report, const std::string& holes,
-                                                  const Scene* scene);
+                                                  const Scene* scene, const std::stop_token& stop = {});
 
 }  // namespace tilemend
 

@@ -50,6 +50,11 @@ void WarnOfWaterAtUnknownRim(const Plan& plan, std::vector<std::string>& warning
       bodies > holes.size() ? " and others" : ""));
 }
 
+// "polygon feature 3", "decision on hole 4".
+std::string NameOf(const WaterAnswer& answer) {
+  return answer.decision == ReviewDecision::kNone ? "polygon " + answer.label : answer.label;
+}
+
 }  // namespace
 
 std::vector<std::string> PlanWarnings(const Plan& plan) {
@@ -57,9 +62,9 @@ std::vector<std::string> PlanWarnings(const Plan& plan) {
   std::vector<std::string> doubts;
   size_t not_taken = 0;
   for (const WaterAnswer& answer : plan.water_answers) {
-    if (!answer.doubt.empty()) doubts.push_back(absl::StrFormat("polygon %s: %s", answer.label, answer.doubt));
+    if (!answer.doubt.empty()) doubts.push_back(absl::StrFormat("%s: %s", NameOf(answer), answer.doubt));
     if (answer.reason.empty() || ++not_taken > kMostAnswers) continue;
-    warnings.push_back(absl::StrFormat("polygon %s is %s: %s", answer.label,
+    warnings.push_back(absl::StrFormat("%s is %s: %s", NameOf(answer),
                                        answer.taken ? "taken for smaller holes only" : "not taken", answer.reason));
   }
   if (not_taken > kMostAnswers) {

@@ -19,8 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kMillimetres = 3;
-
 // A row as report.json has it if all goes as planned.
 Json RowOf(const Plan& plan, int32_t h) {
   const PlannedHole& hole = plan.holes[static_cast<size_t>(h)];
@@ -28,7 +26,7 @@ Json RowOf(const Plan& plan, int32_t h) {
               {"cell", {hole.cell.col, hole.cell.row}},
               {"centre", {Rounded(hole.centre.x(), kMillimetres), Rounded(hole.centre.y(), kMillimetres)}},
               {"kind", KindName(hole.kind)},
-              {"area_m2", Rounded(hole.area, kMillimetres)},
+              {"area_m2", IsAreaKnown(hole) ? Json(Rounded(hole.area, kMillimetres)) : Json()},
               {"perimeter_m", Rounded(hole.perimeter, kMillimetres)},
               {"outcome", hole.failure.empty() ? "filled" : "left"},
               {"reason", hole.failure}};

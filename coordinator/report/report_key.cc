@@ -32,6 +32,19 @@ std::string KeyInReport(const std::string& report) {
   return key.is_string() ? key.get<std::string>() : "";
 }
 
+size_t DecidedHolesIn(const std::string& report) {
+  using Event = Json::parse_event_t;
+  size_t decided = 0;
+  std::string member;  // of the report
+  const auto count = [&](int depth, Event event, const Json& value) {
+    if (event != Event::key) return depth == 0 || event == Event::object_start || event == Event::array_start;
+    if (depth == 1) member = value.get<std::string>();
+    decided += depth == 3 && member == "per_hole" && value == "decision";
+    return true;
+  };
+  return Json::parse(report, count, false).is_object() ? decided : 0;
+}
+
 std::optional<ReportedJob> JobInReport(const std::string& report) {
   const Json head = ReadHead(report);
   const Json& options = Member(head, "options");

@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COORDINATOR_REPORT_REPORT_KEY_H_
 #define TILEMEND_COORDINATOR_REPORT_REPORT_KEY_H_
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,6 +14,9 @@ namespace tilemend {
 
 // The member `key` of a report.json; "" if it has none, or is no report. Keeps no list of it in memory. Linear.
 std::string KeyInReport(const std::string& report);
+
+// How many holes of a report.json have a reviewer's decision; 0 also if it is no report. As KeyInReport.
+size_t DecidedHolesIn(const std::string& report);
 
 // The job that a report.json is of: the members `scene`, `options` and `files`.
 struct ReportedJob {

@@ -6,6 +6,8 @@
 
 namespace tilemend {
 
+inline constexpr int kMillimetres = 3;  // digits of metres
+
 // To `digits` decimals.
 inline double Rounded(double value, int digits) {
   const double scale = std::pow(10.0, digits);

@@ -180,7 +180,7 @@ Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h
               {"type", nullptr},
               {"cluster", nullptr},
               {"layer", nullptr},
-              {"area_m2", Millimetres(hole.area)},
+              {"area_m2", IsAreaKnown(hole) ? Json(Millimetres(hole.area)) : Json()},
               {"perimeter_m", Millimetres(hole.perimeter)},
               {"outcome", failure.empty() ? "filled" : "left"},
               {"reason", failure.empty() ? Json() : Json(failure)},
@@ -280,7 +280,7 @@ std::string ProposalsGeoJson(const Plan& plan, const std::vector<ProposedSurface
       area += plan.holes[h].area;
     }
     features.AddPolygons(plan, segments, Wound::kLeft,
-                         properties("hole", KindOf(body), body.level, body.sigma, area, false,
+                         properties("water", KindOf(body), body.level, body.sigma, area, false,
                                     "a hole whose rim tells the level of water"));
   }
   for (const ProposedSurface& s : surfaces) {

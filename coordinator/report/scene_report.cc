@@ -67,17 +67,20 @@ void Count(const PlannedHole& hole, Json& counts) {
 
 Json CellJson(CellId cell) { return Json::array({cell.col, cell.row}); }
 
+// Metres: the mean of the boundary. Precondition: it has segments.
+double RimHeight(const Plan& plan, const PlannedHole& hole) {
+  double height = 0;
+  for (const RimSegment& s : hole.segments) height += plan.vertices[static_cast<size_t>(s.from)].position.z();
+  return height / static_cast<double>(hole.segments.size());
+}
+
 // Where a hole is, and how large: to the millimetre, or if it is small to a thousandth of its perimeter.
 void AddMeasures(const Plan& plan, const PlannedHole& hole, Json& row) {
   const double power = hole.perimeter > 0 ? -std::floor(std::log10(hole.perimeter)) : 0;
   const int smaller = static_cast<int>(std::clamp(power, 0.0, 100.0)), digits = 3 + smaller;  // scales stay finite
   row["centre"] = {Rounded(hole.centre.x(), digits), Rounded(hole.centre.y(), digits)};
-  if (!plan.upright && !hole.segments.empty()) {
-    double height = 0;
-    for (const RimSegment& s : hole.segments) height += plan.vertices[static_cast<size_t>(s.from)].position.z();
-    row["centre"].push_back(Rounded(height / static_cast<double>(hole.segments.size()), digits));
-  }
-  row["area_m2"] = Rounded(hole.area, digits + smaller);
+  if (!plan.upright && !hole.segments.empty()) row["centre"].push_back(Rounded(RimHeight(plan, hole), digits));
+  row["area_m2"] = IsAreaKnown(hole) ? Json(Rounded(hole.area, digits + smaller)) : Json();
   row["perimeter_m"] = Rounded(hole.perimeter, digits);
 }
 
@@ -100,6 +103,9 @@ Json HoleRow(const SceneReportInput& input, int32_t h, const std::vector<Reviewe
   if (const char* decision = DecisionOn(*input.plan, h)) row["decision"] = decision;
   row["outcome"] = failure.empty() ? "filled" : "left";
   if (!failure.empty()) row["reason"] = failure;
+  if (!failure.empty() && input.plan->upright && !hole.segments.empty()) {
+    row["rim_height_m"] = Rounded(RimHeight(*input.plan, hole), kMillimetres);
+  }
   if (const auto size = input.outcome.sizes.find(h); size != input.outcome.sizes.end() && failure.empty()) {
     row["method"] = MethodOf(*input.plan, hole, size->second.way);
     if (hole.water >= 0 && size->second.way == FillWay::kFoldsCut) row["folds_cut"] = true;

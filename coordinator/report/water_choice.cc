@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
 #include "common/gis/area_file.h"
 #include "common/mesh/box_tree.h"
 #include "common/mesh/polygon_index.h"
@@ -127,6 +129,25 @@ absl::Status AddDecisions(const std::string& value, const SceneFrame& frame, Wat
   std::ranges::move(file.areas, std::back_inserter(choice.options.areas));
   std::ranges::move(file.warnings, std::back_inserter(choice.warnings));
   choice.decisions_digest = Sha256Hex(ContentOf(bytes));
+  return absl::OkStatus();
+}
+
+absl::Status CheckLevels(const std::vector<WaterArea>& areas, const std::map<CellId, StoredRecord>& records) {
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const auto& [cell, record] : records) {
+    if (record == nullptr || record->lo.x() > record->hi.x()) continue;
+    lowest = std::min(lowest, record->lo.z());
+    highest = std::max(highest, record->hi.z());
+  }
+  for (const WaterArea& area : areas) {
+    if (!area.water || !area.level || lowest > highest) continue;
+    const double above = *area.level - highest, below = lowest - *area.level;
+    if (std::max(above, below) <= kMostLevelOff) continue;
+    return absl::InvalidArgumentError(absl::StrFormat(
+        "%s: its level_m is %.1f m %s of the scene, and at most %.0f m are allowed; give metres in the scene's CRS, or "
+        "above its origin if the file has the scene's coordinates",
+        area.label, std::max(above, below), above > below ? "above all surface" : "below all surface", kMostLevelOff));
+  }
   return absl::OkStatus();
 }
 

@@ -2,12 +2,14 @@
 #ifndef TILEMEND_COORDINATOR_REPORT_WATER_CHOICE_H_
 #define TILEMEND_COORDINATOR_REPORT_WATER_CHOICE_H_
 
+#include <map>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "absl/status/statusor.h"
 #include "common/gis/vector_file.h"
+#include "common/records/stored_record.h"
 #include "coordinator/plan/types/plan_types.h"
 
 namespace tilemend {
@@ -15,6 +17,9 @@ namespace tilemend {
 // Values that are no file.
 inline constexpr char kFindWater[] = "auto";
 inline constexpr char kNoWater[] = "off";
+
+// Metres: no shore is that high, so a level farther from all of the surface is a slip, or of another origin.
+inline constexpr double kMostLevelOff = 1000;
 
 struct WaterChoice {
   WaterOptions options;
@@ -39,6 +44,10 @@ absl::Status AddClearFile(const std::string& value, const SceneFrame& frame, Wat
 // ReadAreaFile and ParseDecisionFile, with the file in their text.
 absl::Status AddDecisions(const std::string& value, const SceneFrame& frame, WaterChoice& choice,
                           const std::stop_token& stop = {});
+
+// kInvalidArgument, naming the first, if an area has a level more than kMostLevelOff above or below all of the surface:
+// what the records of the cells tell of it.
+absl::Status CheckLevels(const std::vector<WaterArea>& areas, const std::map<CellId, StoredRecord>& records);
 
 // Takes polygons with `clear` out of the choice, with a warning, if they lie outside the area to be covered. What they
 // took out would not be filled again. Returns kInvalidArgument for one that lies across the area's edge. An empty area

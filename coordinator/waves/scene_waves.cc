@@ -1,5 +1,7 @@
 #include "coordinator/waves/scene_waves.h"
 
+#include <algorithm>
+#include <iterator>
 #include <variant>
 
 #include "absl/strings/str_cat.h"
@@ -190,6 +192,12 @@ std::optional<SceneWork> SceneWaves::Next() {
 
 absl::Status SceneWaves::Take(SceneResult result) {
   return std::visit(ResultTaker{options_, data_, queue_}, std::move(result));
+}
+
+CellCounts SceneWaves::cells() const {
+  const int64_t tiles = std::ssize(scene().tiles);
+  const int64_t all = options_.chosen.empty() ? tiles : std::ssize(options_.chosen);
+  return {all, std::max<int64_t>(0, queue_.writes().cells_done() - (tiles - all))};
 }
 
 void SceneWaves::Advance() {

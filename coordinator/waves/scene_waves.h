@@ -39,6 +39,12 @@ struct SceneData {
   SceneOutcome outcome;
 };
 
+// Of the cells that were chosen.
+struct CellCounts {
+  int64_t all = 0;
+  int64_t done = 0;  // written, or nothing to write; fewer, until what was not chosen is known to have nothing
+};
+
 // Gives out the pieces of work of one scene as soon as they can be done, and takes what came of them. It computes the
 // plan and the heights of seams itself; all else is done by whoever drives it, in this process or elsewhere:
 //
@@ -79,8 +85,7 @@ class SceneWaves {
   bool done() const { return step_.wave == Wave::kDone; }
   // What is done now, for people: "survey", "sample layer 1 of 3".
   std::string phase() const { return PhaseOf(step_, options_, plan().layers); }
-  // Cells that are written, or have nothing to write.
-  int64_t cells_done() const { return queue_.writes().cells_done(); }
+  CellCounts cells() const;
 
   const WaveOptions& options() const { return options_; }
   const SceneSurvey& survey() const { return data_.survey; }

@@ -42,8 +42,10 @@ Frame FrameOf(const JobCells& job, const SceneSight* sight) {
   return frame;
 }
 
-// After a restart the cells of a job that was over are not known.
-bool IsRemembered(const JobCells& job) { return !IsOver(job.state) || !job.cells.empty(); }
+// After a restart the cells of a job that was over are not known. No task of one that is done failed for good.
+bool IsRemembered(const JobCells& job) {
+  return !IsOver(job.state) || job.state == JobState::kDone || !job.cells.empty();
+}
 
 // The letter of a cell that has no task.
 char WithoutTask(const JobCells& job) {

@@ -15,7 +15,7 @@ inline constexpr int64_t kMostMapSquares = 4'000'000;
 
 // The schema Cells of /v1/openapi.json. Without `sight` the map has the cells that had a task. Of a job that was over
 // before this process of the coordinator began, nothing is remembered: all cells count as written if it was done or
-// partial, else as not known.
+// partial, else as not known. Of a job that is done, no task failed for good.
 // Cost: O(squares).
 absl::StatusOr<std::string> CellMapJson(const JobCells& job, const SceneSight* sight);
 

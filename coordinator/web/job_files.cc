@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <stop_token>
 #include <system_error>
 
 #include "absl/strings/ascii.h"
@@ -15,6 +17,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_split.h"
 #include "common/grid/delivery_paths.h"
+#include "common/store/file_stamp.h"
 #include "common/util/error_info.h"
 #include "common/util/files.h"
 #include "common/util/folders.h"
@@ -26,6 +29,7 @@
 #include "coordinator/report/json_access.h"
 #include "coordinator/report/page_holes.h"
 #include "coordinator/report/page_review.h"
+#include "coordinator/report/shallow_json.h"
 
 namespace tilemend {
 namespace {
@@ -33,6 +37,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr char kSceneFileName[] = "scene.json";
+constexpr char kReportName[] = "report.json";
+constexpr char kHolesName[] = "holes.geojson";
+constexpr size_t kMostReadAtOnce = size_t{16} << 20;  // then it is looked whether to stop
 
 absl::Status NoTile(const std::string& what) {
   return WithErrorInfo(absl::NotFoundError(what), {"TILE_NOT_FOUND", {}});
@@ -58,11 +65,12 @@ class OpenedFile {
   const int fd_;
 };
 
-absl::StatusOr<std::string> ReadAll(int fd, int64_t size, const std::string& path) {
+absl::StatusOr<std::string> ReadAll(int fd, int64_t size, const std::string& path, const std::stop_token& stop) {
   std::string bytes(static_cast<size_t>(size), '\0');
   size_t at = 0;
   while (at < bytes.size()) {
-    const ssize_t count = read(fd, bytes.data() + at, bytes.size() - at);
+    if (stop.stop_requested()) return absl::CancelledError(absl::StrCat(path, ": asked to end while it was read"));
+    const ssize_t count = read(fd, bytes.data() + at, std::min(bytes.size() - at, kMostReadAtOnce));
     if (count <= 0) return absl::DataLossError(absl::StrCat(path, ": it ends before its size"));
     at += static_cast<size_t>(count);
   }
@@ -80,7 +88,8 @@ absl::StatusOr<std::string> ReadObjectBelow(const std::string& folder, const std
 }
 
 // A regular file below `folder`; what a link leads out to is as if it was not there.
-absl::StatusOr<std::string> ReadBelow(const std::string& folder, const std::string& path, int64_t most) {
+absl::StatusOr<std::string> ReadBelow(const std::string& folder, const std::string& path, int64_t most,
+                                      const std::stop_token& stop = {}) {
   if (IsObjectPath(folder)) return ReadObjectBelow(folder, path, most);
   if (FilesRoots() != nullptr) TILEMEND_RETURN_IF_ERROR(FilesRoots()->Check(folder));
   std::error_code error;
@@ -95,7 +104,7 @@ absl::StatusOr<std::string> ReadBelow(const std::string& folder, const std::stri
   if (look.st_size > most) {
     return TooLarge(path, most);
   }
-  return ReadAll(file.fd(), look.st_size, path);
+  return ReadAll(file.fd(), look.st_size, path, stop);
 }
 
 // The scene.json that says where the tiles of a job that is over lie: the scene's own, or that beside the output.
@@ -121,10 +130,45 @@ LoadedValues<SceneSight>::Result LoadSight(const JobSpec& spec) {
   return std::make_shared<const SceneSight>(scene);
 }
 
-absl::StatusOr<Json> ReadReport(const std::string& out) {
-  TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadBelow(out, "report.json", kMostReportBytes));
-  Json report = ParseShallow(text);
-  if (!report.is_object()) return absl::DataLossError(absl::StrCat(out, "/report.json: not JSON"));
+absl::Status ReplacedBy(const std::string& name, const std::string& other, const std::string& what) {
+  const std::string id = other.substr(other.find('/') + 1);
+  return WithErrorInfo(absl::AbortedError(absl::StrCat(name, ": its output ", what)),
+                       {"OUTPUT_REPLACED", {{"job", id}}});
+}
+
+std::string BesideOutput(const JobSpec& spec, const char* file) { return absl::StrCat(spec.out(), "/", file); }
+
+// Whether what lies in the output is still that of the job, as far as the coordinator knows: OUTPUT_REPLACED. A later
+// job that is not complete takes the report away before it writes.
+absl::Status CheckIsLast(const std::string& name, const JobCells& job) {
+  if (job.later_job.empty()) return absl::OkStatus();
+  if (job.later_is_complete) {
+    return ReplacedBy(name, job.later_job, absl::StrCat("was written again by ", job.later_job, "; look there"));
+  }
+  TILEMEND_ASSIGN_OR_RETURN(const PathKind report, FindKind(BesideOutput(job.spec, kReportName)));
+  if (report != PathKind::kNothing) return absl::OkStatus();
+  return ReplacedBy(name, job.later_job,
+                    absl::StrCat("is being written again by ", job.later_job, ", or was; look there"));
+}
+
+// Whether a report can be that of the job. That of a program elsewhere in the same folder has another scene or other
+// decisions, else it says the same.
+absl::Status CheckIsReportOf(const std::string& name, const JobSpec& spec, const Json& report) {
+  const Json &scene = Member(report, "scene"), &decisions = Member(Member(report, "options"), "decisions");
+  if ((!scene.is_string() || scene == spec.scene()) && (!decisions.is_string() || decisions == spec.decisions())) {
+    return absl::OkStatus();
+  }
+  return ReplacedBy(name, "",
+                    "was written again, with another scene or other decisions, by no job of this coordinator");
+}
+
+absl::StatusOr<Json> ReadReport(const std::string& name, const JobSpec& spec, const std::stop_token& stop) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadBelow(spec.out(), kReportName, kMostReportBytes, stop));
+  Json report = ParseShallow(text, {.stop = stop});
+  if (!report.is_object()) {
+    return absl::DataLossError(absl::StrCat(BesideOutput(spec, kReportName), ": not JSON"));
+  }
+  TILEMEND_RETURN_IF_ERROR(CheckIsReportOf(name, spec, report));
   return report;
 }
 
@@ -132,23 +176,31 @@ std::shared_ptr<const std::string> TextOf(const Json& json) {
   return std::make_shared<const std::string>(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-LoadedValues<std::string>::Result LoadHoles(const std::string& out) {
-  TILEMEND_ASSIGN_OR_RETURN(const Json report, ReadReport(out));
+LoadedValues<std::string>::Result LoadHoles(const std::string& name, const JobSpec& spec, const std::stop_token& stop) {
+  TILEMEND_ASSIGN_OR_RETURN(const Json report, ReadReport(name, spec, stop));
   return TextOf(
       {{"holeCount", HoleRowsOf(report).size()}, {"holes", PageHoles(report, kMostListedHoles)}, {"planned", false}});
 }
 
 // The height of the levels' zero is that of the scene.json that says where the tiles lie.
-LoadedValues<std::string>::Result LoadReview(const JobSpec& spec) {
-  TILEMEND_ASSIGN_OR_RETURN(const Json report, ReadReport(spec.out()));
-  TILEMEND_ASSIGN_OR_RETURN(const std::string holes, ReadBelow(spec.out(), "holes.geojson", kMostReportBytes));
+LoadedValues<std::string>::Result LoadReview(const std::string& name, const JobSpec& spec,
+                                             const std::stop_token& stop) {
+  TILEMEND_ASSIGN_OR_RETURN(const Json report, ReadReport(name, spec, stop));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string holes, ReadBelow(spec.out(), kHolesName, kMostReportBytes, stop));
   const auto file = SceneFileOf(spec);
   const auto scene = file.ok() ? LoadScene(*file, nullptr) : absl::StatusOr<Scene>(file.status());
-  TILEMEND_ASSIGN_OR_RETURN(Json review, PageReview(report, holes, scene.ok() ? &*scene : nullptr));
+  TILEMEND_ASSIGN_OR_RETURN(Json review, PageReview(report, holes, scene.ok() ? &*scene : nullptr, stop));
   return TextOf({{"scene", Member(report, "scene")},
                  {"date", Member(report, "date")},
                  {"look_at", Member(report, "look_at")},
                  {"review", std::move(review)}});
+}
+
+// Names what was read of these files of the output: another one if a file has changed since.
+std::string KeyOf(const std::string& name, const JobSpec& spec, std::initializer_list<const char*> files) {
+  std::string key = name;
+  for (const char* file : files) absl::StrAppend(&key, " ", YoungStampOf(BesideOutput(spec, file)));
+  return key;
 }
 
 absl::Status NoReport(const std::string& name) {
@@ -178,11 +230,15 @@ absl::StatusOr<std::shared_ptr<const SceneSight>> JobFiles::SightOf(const std::s
   if (!IsOver(job.state)) {
     return WithErrorInfo(absl::NotFoundError("the scene is not read yet"), {"SCENE_FILE_NOT_FOUND", {}});
   }
-  return sights_.Find(name, [spec = job.spec] { return LoadSight(spec); });
+  return sights_.Find(name, [spec = job.spec](const std::stop_token&) { return LoadSight(spec); });
 }
 
 absl::StatusOr<std::shared_ptr<const std::string>> JobFiles::HolesOf(const std::string& name, const JobCells& job) {
-  if (!job.report.empty()) return holes_.Find(name, [out = job.spec.out()] { return LoadHoles(out); });
+  if (!job.report.empty()) {
+    TILEMEND_RETURN_IF_ERROR(CheckIsLast(name, job));
+    return holes_.Find(KeyOf(name, job.spec, {kReportName}),
+                       [name, spec = job.spec](const std::stop_token& stop) { return LoadHoles(name, spec, stop); });
+  }
   auto planned = job.sight == nullptr ? nullptr : job.sight->planned_holes();
   if (planned == nullptr) return NoReport(name);
   return planned;
@@ -190,11 +246,14 @@ absl::StatusOr<std::shared_ptr<const std::string>> JobFiles::HolesOf(const std::
 
 absl::StatusOr<std::shared_ptr<const std::string>> JobFiles::ReviewOf(const std::string& name, const JobCells& job) {
   if (job.report.empty()) return NoReport(name);
-  return reviews_.Find(name, [spec = job.spec] { return LoadReview(spec); });
+  TILEMEND_RETURN_IF_ERROR(CheckIsLast(name, job));
+  return reviews_.Find(KeyOf(name, job.spec, {kReportName, kHolesName}),
+                       [name, spec = job.spec](const std::stop_token& stop) { return LoadReview(name, spec, stop); });
 }
 
 absl::StatusOr<JobFiles::File> JobFiles::FileOf(const std::string& name, const JobCells& job, CellId cell, bool after,
                                                 const std::string& path) {
+  if (after) TILEMEND_RETURN_IF_ERROR(CheckIsLast(name, job));
   TILEMEND_ASSIGN_OR_RETURN(const auto sight, SightOf(name, job));
   auto tile = sight->TileOf(cell, after);
   if (!tile) return NoTile(absl::StrCat("cell ", cell.col, ", ", cell.row, ": it has no tile"));

@@ -18,7 +18,9 @@ inline constexpr int64_t kMostReportBytes = int64_t{256} << 20;
 
 // Files are those of a tile that the job's scene names. Beside it they have the name of a material file, an image or a
 // part of its tree. All are opened below the scene's folder or the output's, links included. Thread-safe.
-// Scenes and reports of jobs that are over are read in the background: kUnavailable until they are there.
+// Scenes and reports of jobs that are over are read in the background: kUnavailable until they are there. A report is
+// read again once its files have changed. kAborted (OUTPUT_REPLACED) for the report and the output of a job if another
+// one has written there since.
 class JobFiles {
  public:
   // What may be seen of the scene of a job. kNotFound (SCENE_FILE_NOT_FOUND) before the job has read it. Of one that is
@@ -26,7 +28,7 @@ class JobFiles {
   absl::StatusOr<std::shared_ptr<const SceneSight>> SightOf(const std::string& name, const JobCells& job);
 
   // {"holeCount", "holes", "planned"} as JSON text: as planned, then as in the report. kNotFound (REPORT_NOT_FOUND)
-  // before there is a plan; errors of reading.
+  // before there is a plan; errors of reading. Looks at the output's files, as the next two do: a mount may hang.
   absl::StatusOr<std::shared_ptr<const std::string>> HolesOf(const std::string& name, const JobCells& job);
 
   // The review queue (page_review.h) as JSON text. kNotFound (REPORT_NOT_FOUND) before there is a report; errors of

@@ -12,6 +12,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <utility>
@@ -34,7 +35,8 @@ template <typename T>
 class LoadedValues {
  public:
   using Result = absl::StatusOr<std::shared_ptr<const T>>;
-  using Load = std::function<Result()>;
+  // Returns soon, with any status, once a stop is requested: the destructor waits for it.
+  using Load = std::function<Result(const std::stop_token&)>;
 
   explicit LoadedValues(size_t most) : most_(most) {}
   ~LoadedValues() {
@@ -42,6 +44,7 @@ class LoadedValues {
       const std::lock_guard<std::mutex> lock(mutex_);
       ends_ = true;
     }
+    stop_.request_stop();
     changed_.notify_all();
     if (thread_.joinable()) thread_.join();
   }
@@ -125,7 +128,7 @@ class LoadedValues {
       const auto [name, load] = std::move(waiting_.front());
       waiting_.pop_front();
       lock.unlock();
-      Result result = load();
+      Result result = load(stop_.get_token());
       ReturnHeap();  // a report of 100 MB takes ten times as much while it is read
       lock.lock();
       if (Entry* const entry = Touch(name)) {
@@ -142,6 +145,7 @@ class LoadedValues {
   std::list<Entry> entries_;                          // the last asked for first
   std::deque<std::pair<std::string, Load>> waiting_;  // names of entries without a result: at most `most_`
   bool ends_ = false;
+  std::stop_source stop_;
   std::thread thread_;
 };
 

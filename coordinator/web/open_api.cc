@@ -100,7 +100,7 @@ constexpr char kOwnSchemas[] = R"({
     "cellSize": {"type": "array", "items": {"type": "number"}, "description": "metres; absent if not known"},
     "hasTiles": {"type": "boolean", "description": "whether before and after of its cells can be asked for"},
     "cells": {"type": "string", "description": "row after row: space no cell, - without surface, . waiting, s surveyed, p planned, f filling, F filled, w written, x failed, ? not known"},
-    "isRemembered": {"type": "boolean", "description": "false: the job was over before the coordinator began; failures are not known"},
+    "isRemembered": {"type": "boolean", "description": "false: the job was over before the coordinator began, and is not done; failures are not known"},
     "held": {"type": "array", "items": {"type": "array", "items": {"type": "integer"}}, "description": "[column, row] of tasks that workers hold now"},
     "failures": {"type": "array", "items": {"type": "object", "properties": {
       "cell": {"type": "array", "items": {"type": "integer"}}, "stage": {"type": "string"}, "reason": {"type": "string"}}}}}},

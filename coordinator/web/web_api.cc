@@ -112,21 +112,23 @@ std::optional<CellId> CellOf(const std::string& text) {
   return cell;
 }
 
-// A turn to read a tile; false if too many are read.
-class TileRead {
+// A turn to look at a report; false if too many do.
+class ReportLook {
  public:
-  explicit TileRead(std::counting_semaphore<kMostTileReads>& all) : all_(all), has_(all.try_acquire()) {}
-  ~TileRead() {
+  explicit ReportLook(std::counting_semaphore<kMostReportLooks>& all) : all_(all), has_(all.try_acquire()) {}
+  ~ReportLook() {
     if (has_) all_.release();
   }
-  TileRead(const TileRead&) = delete;
-  TileRead& operator=(const TileRead&) = delete;
+  ReportLook(const ReportLook&) = delete;
+  ReportLook& operator=(const ReportLook&) = delete;
   explicit operator bool() const { return has_; }
 
  private:
-  std::counting_semaphore<kMostTileReads>& all_;
+  std::counting_semaphore<kMostReportLooks>& all_;
   const bool has_;
 };
+
+absl::Status OthersAre(const char* what) { return absl::UnavailableError(absl::StrCat("other ", what, "; ask again")); }
 
 // 304 if the caller has this answer already.
 void AddTag(const HttpRequest& request, HttpAnswer& answer) {
@@ -266,12 +268,16 @@ absl::StatusOr<HttpAnswer> WebApi::Cells(const std::string& name, const Peer& pe
 
 absl::StatusOr<HttpAnswer> WebApi::Holes(const std::string& name, const Peer& peer) {
   TILEMEND_ASSIGN_OR_RETURN(const JobCells job, calls_.GetCells(peer, name));
+  const ReportLook turn(report_looks_);
+  if (!turn && !job.report.empty()) return OthersAre("reports are being read");
   TILEMEND_ASSIGN_OR_RETURN(const auto holes, files_.HolesOf(name, job));
   return JsonAnswer(*holes);
 }
 
 absl::StatusOr<HttpAnswer> WebApi::Review(const std::string& name, const Peer& peer) {
   TILEMEND_ASSIGN_OR_RETURN(const JobCells job, calls_.GetCells(peer, name));
+  const ReportLook turn(report_looks_);
+  if (!turn) return OthersAre("reports are being read");
   TILEMEND_ASSIGN_OR_RETURN(const auto review, files_.ReviewOf(name, job));
   return JsonAnswer(*review);
 }
@@ -292,10 +298,11 @@ absl::StatusOr<HttpAnswer> WebApi::TileOf(const Match& match, const HttpRequest&
   const bool after = match.route->call == WebCall::kTileAfter;
   const auto path = request.query.find("path");
   const auto wanted = path == request.query.end() ? "" : path->second;
-  const TileRead turn(tile_reads_);
-  if (!turn) return absl::UnavailableError("other tiles are being read; ask again");
+  const auto share = tile_bytes_.Take(kMostTileBytes);
+  if (share == nullptr) return OthersAre("tiles are being read or sent");
   TILEMEND_ASSIGN_OR_RETURN(JobFiles::File file, files_.FileOf(name, job, *id, after, wanted));
-  HttpAnswer answer{.type = "application/octet-stream", .body = std::move(file.bytes)};
+  share->ShrinkTo(static_cast<int64_t>(file.bytes.size()));
+  HttpAnswer answer{.type = "application/octet-stream", .body = std::move(file.bytes), .until_sent = share};
   const size_t dot = file.name.rfind('.');
   answer.headers.emplace_back("X-Tile-Format", dot == std::string::npos ? "" : file.name.substr(dot + 1));
   if (!file.frame.empty()) {

@@ -2,6 +2,8 @@
 #ifndef TILEMEND_COORDINATOR_WEB_WEB_API_H_
 #define TILEMEND_COORDINATOR_WEB_WEB_API_H_
 
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <semaphore>
 #include <string>
@@ -11,13 +13,18 @@
 #include "common/http/http_server.h"
 #include "common/util/job_log_tail.h"
 #include "coordinator/api/guarded_calls.h"
+#include "coordinator/web/byte_budget.h"
 #include "coordinator/web/job_files.h"
 #include "coordinator/web/routes.h"
 
 namespace tilemend {
 
-// Tiles that are read at once, of the server's 16 threads. A shared folder that hangs holds no more of them.
-inline constexpr std::ptrdiff_t kMostTileReads = 6;
+// Tiles that are read at once, and calls that look whether a report has changed, of the server's 16 threads. A shared
+// folder that hangs holds no more of them.
+inline constexpr std::ptrdiff_t kMostTileReads = 6, kMostReportLooks = 4;
+
+// Of tiles that are read or sent.
+inline constexpr int64_t kMostTileBytesAtOnce = kMostTileReads * kMostTileBytes;
 
 // Thread-safe. Who calls is said by "Authorization: Bearer TOKEN" or by a certificate, as over gRPC, and has the same
 // rights there and here (GuardedCalls).
@@ -44,7 +51,8 @@ class WebApi {
   const GuardedCalls& calls_;
   const JobLogTail* const log_;
   JobFiles files_;
-  std::counting_semaphore<kMostTileReads> tile_reads_{kMostTileReads};
+  ByteBudget tile_bytes_{kMostTileBytesAtOnce};
+  std::counting_semaphore<kMostReportLooks> report_looks_{kMostReportLooks};
 };
 
 // The HTTP status for an error of a call.

@@ -49,7 +49,11 @@ std::string HostOf(const HttpRequest& request) {
 
 bool IsAddressOrLocal(const std::string& host) {
   in_addr number{};
-  return host == "localhost" || absl::StartsWith(host, "[") || inet_pton(AF_INET, host.c_str(), &number) == 1;
+  in6_addr longer{};
+  if (absl::StartsWith(host, "[") && absl::EndsWith(host, "]")) {
+    return inet_pton(AF_INET6, host.substr(1, host.size() - 2).c_str(), &longer) == 1;
+  }
+  return host == "localhost" || inet_pton(AF_INET, host.c_str(), &number) == 1;
 }
 
 // Whether a page of another site makes the request.

@@ -3,6 +3,9 @@
 import sys
 import tilemend
 
+if len(sys.argv) != 4:
+    print('Usage: fill_scene.py HOST:PORT SCENE OUT', file=sys.stderr)
+    sys.exit(2)
 address, scene, out = sys.argv[1:]
 try:
     with tilemend.Client(address) as client:  # far away: ca=, cert= and key=, or ca= and token_file=

@@ -12,8 +12,11 @@ The page docs/python.md has more.
 from typing import TYPE_CHECKING, Any, List
 
 from ._adapters import fill_mesh
-from ._errors import (Cancelled, Conflict, Error, InvalidInput, JobFailed, NotAllowed, NotFound, TooMuch, Unavailable)
-from ._fill import Filled, fill, options
+from ._decisions import Decision
+from ._errors import (AlreadyExists, Cancelled, Conflict, Error, InvalidInput, JobFailed, NotAllowed, NotFound, TimedOut,
+                      TooMuch, Unavailable)
+from ._fill import fill, options
+from ._filled import Filled
 from ._report import Report, read_report
 from ._tilemend import RELEASE as __version__
 
@@ -23,9 +26,9 @@ if TYPE_CHECKING:
 
 _OF_CLIENT = {'Client': '_client', 'Job': '_jobs', 'Progress': '_jobs', 'Worker': '_jobs'}
 
-__all__ = ['Cancelled', 'Client', 'Conflict', 'Error', 'Filled', 'InvalidInput', 'Job', 'JobFailed', 'NotAllowed',
-           'NotFound', 'Progress', 'Report', 'TooMuch', 'Unavailable', 'Worker', '__version__', 'fill', 'fill_mesh',
-           'options', 'read_report']
+__all__ = ['AlreadyExists', 'Cancelled', 'Client', 'Conflict', 'Decision', 'Error', 'Filled', 'InvalidInput', 'Job',
+           'JobFailed', 'NotAllowed', 'NotFound', 'Progress', 'Report', 'TimedOut', 'TooMuch', 'Unavailable', 'Worker',
+           '__version__', 'fill', 'fill_mesh', 'options', 'read_report']
 
 
 if not TYPE_CHECKING:  # else a checker would take any name for one that is there

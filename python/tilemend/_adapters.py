@@ -6,22 +6,30 @@ from typing import Any, Callable, Dict, Optional, Tuple
 import numpy as np
 
 from ._errors import InvalidInput
-from ._fill import Filled, fill
+from ._fill import fill, options
+from ._filled import Filled
+from ._options import documented
+from ._types import FillProgress
 
 Arrays = Tuple[Any, Any]
 
 
-def fill_mesh(mesh: Any, **options: Any) -> Any:
-    """Fills the holes of a mesh of another library and returns a new one of the same kind.
+@documented(options())
+def fill_mesh(mesh: Any, *, return_filled: bool = False, progress: Optional[FillProgress] = None, **options: Any) -> Any:
+    """Fills the holes of a mesh object of another library and returns a new one of the same kind.
 
     Args:
         mesh: a trimesh.Trimesh, a meshio.Mesh with cells "triangle", an open3d.geometry.TriangleMesh, or a
             pyvista.PolyData of triangles. Other cells, other data, colours and textures are not carried over.
+        return_filled: returns the `Filled` as well, which tells the holes that are left, warnings and the report.
+        progress: as for `fill`.
         **options: as for `fill`.
 
+            OPTIONS
+
     Returns:
-        A mesh of the same kind, with the original vertices and faces first. meshio and PyVista get the cell data
-        "tilemend_filled": 1 for new faces.
+        A mesh of the same kind, with the original vertices and faces first; with `return_filled` a pair of it and the
+        `Filled`. meshio and PyVista get the cell data "tilemend_filled": 1 for new faces.
 
     Raises:
         TypeError: it is none of these.
@@ -32,7 +40,8 @@ def fill_mesh(mesh: Any, **options: Any) -> Any:
         raise TypeError(f'{type(mesh).__module__}.{type(mesh).__name__} is no trimesh.Trimesh, meshio.Mesh, '
                         'open3d.geometry.TriangleMesh or pyvista.PolyData; give arrays to tilemend.fill')
     arrays, made = _LIBRARIES[kind]
-    return made(mesh, fill(*arrays(mesh), **options))
+    filled = fill(*arrays(mesh), progress=progress, **options)
+    return (made(mesh, filled), filled) if return_filled else made(mesh, filled)
 
 
 def _kind_of(mesh: Any) -> Optional[Tuple[str, str]]:

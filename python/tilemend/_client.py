@@ -1,27 +1,26 @@
 """A client of the coordinator: jobs over gRPC."""
 from __future__ import annotations
 
-import difflib
 import ipaddress
-import numbers
 import os
 import time
 import uuid
-from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Iterator, List, Optional, Sequence, Tuple, Union
 
 import grpc
-from google.protobuf.descriptor import FieldDescriptor
 
-from ._errors import Error, InvalidInput, JobFailed, Unavailable, from_status
-from ._jobs import Job, Worker, job_of, worker_of
-from .v1 import error_info_pb2, job_spec_pb2, jobs_pb2, jobs_pb2_grpc
-
-Path = Union[str, 'os.PathLike[str]']
+from ._errors import Error, InvalidInput, JobFailed, TimedOut, Unavailable, from_status, with_keywords
+from ._jobs import Job, JobState, Worker, job_of, worker_of
+from ._specs import request_of
+from ._submit import Submitter
+from ._types import Path
+from .v1 import error_info_pb2, jobs_pb2, jobs_pb2_grpc
 
 _FIRST_PAUSE_S = 0.2
 _LONGEST_PAUSE_S = 2.0
 _CONNECTED_S = 30.0  # a call without an answer that lasts so long had a connection; a job may not change for hours
 _RECONNECT_S = 600.0  # as `tilemend watch`
+_LONGEST_CALL_S = 1e9  # gRPC counts time in 64 bits, as nanoseconds since 1970, which end at 9.2e9 s
 _LOST = (grpc.StatusCode.UNAVAILABLE, grpc.StatusCode.RESOURCE_EXHAUSTED)
 # As the programs have: a lost machine is noticed within half a minute, and one that is back within a second.
 _CHANNEL_OPTIONS = (('grpc.keepalive_time_ms', 20000), ('grpc.keepalive_timeout_ms', 10000),
@@ -29,13 +28,9 @@ _CHANNEL_OPTIONS = (('grpc.keepalive_time_ms', 20000), ('grpc.keepalive_timeout_
                     ('grpc.min_reconnect_backoff_ms', 2000), ('grpc.max_reconnect_backoff_ms', 1000))
 _DETAILS = 'grpc-status-details-bin'
 _INFO = 'google.rpc.ErrorInfo'
-# By the type of the option's field; all others are numbers.
-_KINDS_OF_OPTIONS: Dict[int, Tuple[Any, str]] = {
-    FieldDescriptor.CPPTYPE_BOOL: (bool, 'True or False'),
-    FieldDescriptor.CPPTYPE_STRING: ((str, os.PathLike), 'text or a path')}
 
 
-class Client:
+class Client(Submitter):
     """A connection to a coordinator. Close it, or use it in a `with` statement. Safe from several threads.
 
     Args:
@@ -60,10 +55,14 @@ class Client:
         if token_file is not None:
             self._token = _read_token(token_file)
         _token_metadata(self._token)
-        self._timeout = timeout
+        self._timeout, self._is_closed = timeout, False
+        self._shown = f'{address}, ' + ('plain text' if ca is None and cert is None else 'TLS')
         self._channel = _channel(address, ca, cert, key)
         self._jobs = jobs_pb2_grpc.JobsStub(self._channel)
         self._workers = jobs_pb2_grpc.WorkersStub(self._channel)
+
+    def __repr__(self) -> str:
+        return f'Client({self._shown}{", closed" if self._is_closed else ""})'
 
     def __enter__(self) -> 'Client':
         return self
@@ -73,47 +72,28 @@ class Client:
 
     def close(self) -> None:
         """Ends the connection. Jobs go on."""
+        self._is_closed = True
         self._channel.close()
-
-    def submit(self, scene: Path, out: Optional[Path] = None, *, priority: int = 0, request_id: Optional[str] = None,
-               **options: Any) -> Job:
-        """Starts a job.
-
-        Args:
-            scene, out: paths as the coordinator and all workers see them; relative ones are of this process's folder.
-                Or s3://BUCKET/PREFIX. `out` may be left out with dry_run=True.
-            priority: -100 to 100. A job of a higher one goes first.
-            request_id: the same id with the same options gives the job that was made the first time.
-            **options: as the flags of `tilemend run`, with _ for -. None leaves an option out. A relative pathlib.Path
-                is of this process's folder; text that is a path begins with /.
-
-        Raises:
-            InvalidInput: an option is wrong. NotFound: no such scene. Conflict: the output exists (OUTPUT_EXISTS), or
-            another job writes there (OUTPUT_IN_USE). TooMuch: too many jobs. Unavailable: whether the job was made is not
-            known; `metadata['request_id']` of the error, given as request_id, asks again for the same job.
-        """
-        spec = _request(job_spec_pb2.JobSpec, scene=_absolute(scene), out='' if out is None else _absolute(out))
-        for name, value in options.items():
-            _set(spec, name, value)
-        request = _request(jobs_pb2.CreateJobRequest, priority=priority, request_id=request_id or str(uuid.uuid4()))
-        request.spec.CopyFrom(spec)
-        try:
-            return _job(self._call(self._jobs.CreateJob, request))
-        except Unavailable as error:
-            error.metadata['request_id'] = request.request_id
-            raise
 
     def get(self, job: Union[str, Job]) -> Job:
         """The job as it is now. NotFound if there is none."""
-        return _job(self._call(self._jobs.GetJob, _request(jobs_pb2.GetJobRequest, name=_name(job))))
+        return _job(self._call(self._jobs.GetJob, request_of(jobs_pb2.GetJobRequest, name=_name(job))))
 
-    def jobs(self, states: Sequence[str] = ()) -> Iterator[Job]:
-        """All jobs, newest first, or those in one of `states` ("RUNNING", ...). Asks for pages as they are needed."""
+    def jobs(self, states: Union[JobState, Sequence[JobState]] = ()) -> List[Job]:
+        """All jobs, newest first, or those in one of `states` ("RUNNING", ...)."""
+        return list(self.iter_jobs(states))
+
+    def iter_jobs(self, states: Union[JobState, Sequence[JobState]] = ()) -> Iterator[Job]:
+        """As `jobs`, for very many: asks for pages as they are needed, so that the first call fails when it is used."""
         known = jobs_pb2.JobState.keys()
-        for state in states:
+        names: Sequence[str] = [states] if isinstance(states, str) else states
+        for state in names:
             if state not in known:
                 raise InvalidInput(f'states: {state!r}: expected {", ".join(known[1:])}')
-        request = jobs_pb2.ListJobsRequest(states=[jobs_pb2.JobState.Value(state) for state in states])
+        request = jobs_pb2.ListJobsRequest(states=[jobs_pb2.JobState.Value(state) for state in names])
+        return self._pages(request)
+
+    def _pages(self, request: Any) -> Iterator[Job]:
         while True:
             page = self._call(self._jobs.ListJobs, request)
             yield from (_job(job) for job in page.jobs)
@@ -126,12 +106,16 @@ class Client:
 
         A lost connection is made again, for `patience` seconds after it was lost; then Unavailable is raised.
         """
-        request = _request(jobs_pb2.WatchJobRequest, name=_name(job))
+        return self._watch(_name(job), patience, None)
+
+    def _watch(self, name: str, patience: float, end: Optional[float]) -> Iterator[Job]:
+        """`end`: when TimedOut is raised, by time.monotonic()."""
+        request = request_of(jobs_pb2.WatchJobRequest, name=name)
         give_up, pause = None, _FIRST_PAUSE_S  # no time to give up while there is a connection
         while True:
             begun, metadata = time.monotonic(), self._metadata()
             try:
-                for message in self._jobs.WatchJob(request, metadata=metadata):
+                for message in self._jobs.WatchJob(request, metadata=metadata, timeout=_seconds_to(end)):
                     request.cursor = message.cursor
                     give_up, pause = None, _FIRST_PAUSE_S
                     state = _job(message)
@@ -142,41 +126,59 @@ class Client:
                 raise _closed() from None
             except grpc.RpcError as error:
                 now = time.monotonic()
+                if end is not None and now >= end:
+                    raise _timed_out(name) from None
                 if give_up is None or now - begun > _CONNECTED_S:
                     give_up = now + patience
-                if error.code() not in _LOST or now + pause > give_up:
+                is_lost = error.code() in _LOST or end is not None and error.code() == grpc.StatusCode.DEADLINE_EXCEEDED
+                if not is_lost or now + pause > give_up:
                     raise _error(error) from None
-            time.sleep(pause)
+            time.sleep(pause if end is None else max(0.0, min(pause, end - time.monotonic())))
             pause = min(2 * pause, _LONGEST_PAUSE_S)
 
-    def wait(self, job: Union[str, Job]) -> Job:
-        """The job when it is over: "DONE" or "PARTIAL". Raises JobFailed if it failed or was cancelled."""
+    def wait(self, job: Union[str, Job], *, timeout: Optional[float] = None,
+             on_progress: Optional[Callable[[Job], Any]] = None) -> Job:
+        """The job when it is over: "DONE" or "PARTIAL".
+
+        Args:
+            job: the job or its name.
+            timeout: seconds to wait at most; None: until the end. With 0 it looks once.
+            on_progress: called with the job as it is now, and after each change. An exception that it raises ends the
+                wait, not the job.
+
+        Raises:
+            JobFailed: it failed or was cancelled. TimedOut (a TimeoutError): it is not over yet, and goes on.
+            As `watch`.
+        """
+        if timeout is not None and not timeout >= 0:
+            raise InvalidInput(f'timeout: {timeout!r}: expected seconds, 0 or more, or None')
+        name = _name(job)
+        if timeout == 0:
+            states = iter([self.get(name)])
+        else:
+            states = self._watch(name, _RECONNECT_S, None if timeout is None else time.monotonic() + timeout)
         last = None
-        for last in self.watch(job):
-            pass
+        for last in states:
+            if on_progress is not None:
+                on_progress(last)
         assert last is not None
-        if last.state in ('FAILED', 'CANCELLED'):
-            why = f': {last.message}' if last.message else ''
-            failed = JobFailed(f'{last.name}: {last.state.lower()}{why}', last.reason)
-            failed.job = last
-            raise failed
-        return last
+        return _ended(last)
 
     def cancel(self, job: Union[str, Job]) -> Job:
         """Ends a job; one that is cancelled stays so. Conflict (JOB_OVER) if it is done or has failed."""
-        return _job(self._call(self._jobs.CancelJob, _request(jobs_pb2.CancelJobRequest, name=_name(job))))
+        return _job(self._call(self._jobs.CancelJob, request_of(jobs_pb2.CancelJobRequest, name=_name(job))))
 
     def pause(self, job: Union[str, Job]) -> Job:
         """Gives out no task of the job until `resume`."""
-        return _job(self._call(self._jobs.PauseJob, _request(jobs_pb2.PauseJobRequest, name=_name(job))))
+        return _job(self._call(self._jobs.PauseJob, request_of(jobs_pb2.PauseJobRequest, name=_name(job))))
 
     def resume(self, job: Union[str, Job]) -> Job:
         """Goes on with a paused job."""
-        return _job(self._call(self._jobs.ResumeJob, _request(jobs_pb2.ResumeJobRequest, name=_name(job))))
+        return _job(self._call(self._jobs.ResumeJob, request_of(jobs_pb2.ResumeJobRequest, name=_name(job))))
 
     def prioritize(self, job: Union[str, Job], priority: int) -> Job:
         """Gives a job another priority, -100 to 100."""
-        request = _request(jobs_pb2.PrioritizeJobRequest, name=_name(job), priority=priority)
+        request = request_of(jobs_pb2.PrioritizeJobRequest, name=_name(job), priority=priority)
         return _job(self._call(self._jobs.PrioritizeJob, request))
 
     def retry(self, job: Union[str, Job], *, overwrite: bool = False) -> Job:
@@ -194,6 +196,13 @@ class Client:
             if not page.next_page_token:
                 return found
             request.page_token = page.next_page_token
+
+    def _create(self, request: Any) -> Job:
+        try:
+            return _job(self._call(self._jobs.CreateJob, request))
+        except Unavailable as error:
+            error.metadata['request_id'] = request.request_id
+            raise
 
     def _call(self, method: Any, request: Any) -> Any:
         metadata = self._metadata()
@@ -221,6 +230,26 @@ def _closed() -> Error:
     return InvalidInput('the client is closed')
 
 
+def _seconds_to(end: Optional[float]) -> Optional[float]:
+    return None if end is None else min(max(0.0, end - time.monotonic()), _LONGEST_CALL_S)
+
+
+def _timed_out(name: str) -> Error:
+    return TimedOut(f'{name}: is not over yet; it goes on', '', {'job': name})
+
+
+def _ended(job: Job) -> Job:
+    """The job, if it is over and has an output."""
+    if not job.is_over:
+        raise _timed_out(job.name)
+    if job.state in ('FAILED', 'CANCELLED'):
+        why = f': {job.message}' if job.message else ''
+        failed = JobFailed(f'{job.name}: {job.state.lower()}{with_keywords(why)}', job.reason)
+        failed.job = job
+        raise failed
+    return job
+
+
 def _job(job: Any) -> Job:
     info = _info_of(job.error)
     return job_of(job, info.reason if info else '')
@@ -229,41 +258,9 @@ def _job(job: Any) -> Job:
 def _name(job: Union[str, Job]) -> str:
     name = job.name if isinstance(job, Job) else job
     if not isinstance(name, str):
-        raise TypeError(f'job: has type {type(job).__name__}; expected a Job or its name')
+        hint = '; call this for each of them' if hasattr(job, '__iter__') else ''
+        raise TypeError(f'job: has type {type(job).__name__}; expected one Job or its name ("jobs/ID"){hint}')
     return name if name.startswith('jobs/') else f'jobs/{name}'
-
-
-def _request(kind: Any, **fields: Any) -> Any:
-    message = kind()
-    for name, value in fields.items():
-        _assign(message, name, value)
-    return message
-
-
-def _assign(message: Any, name: str, value: Any) -> None:
-    """Sets a field. The error names it."""
-    try:
-        setattr(message, name, value)
-    except TypeError as error:
-        raise TypeError(f'{name}: {error}') from None
-    except ValueError as error:  # and UnicodeEncodeError
-        raise InvalidInput(f'{name}: {error}') from None
-
-
-def _set(spec: Any, name: str, value: Any) -> None:
-    """Sets an option. None leaves it out, and a pathlib.Path is of this process's folder."""
-    value = value.item() if type(value).__module__ == 'numpy' and hasattr(value, 'item') else value
-    field = spec.DESCRIPTOR.fields_by_name.get(name)
-    if field is None or name in ('scene', 'out'):
-        near = difflib.get_close_matches(name, set(spec.DESCRIPTOR.fields_by_name) - {'scene', 'out'}, 1)
-        hint = f'; did you mean {near[0]}?' if near else ''
-        raise InvalidInput(f'{name}: there is no such option{hint}', 'INVALID_SPEC', {'field': name})
-    if value is None:
-        return
-    kind, expected = _KINDS_OF_OPTIONS.get(field.cpp_type, (numbers.Real, 'a number'))
-    if not isinstance(value, kind) or isinstance(value, bool) != (kind is bool):
-        raise TypeError(f'{name}: has type {type(value).__name__}; expected {expected}')
-    _assign(spec, name, _absolute(value) if isinstance(value, os.PathLike) else value)
 
 
 def _info_of(status: Any) -> Optional[Any]:
@@ -321,16 +318,6 @@ def _token_metadata(token: Optional[str]) -> Tuple[Tuple[str, str], ...]:
     if not 0 < len(token) <= 4096 or not all('!' <= letter <= '~' for letter in token):
         raise InvalidInput('token: expected one word of printable ASCII, at most 4096 letters')
     return (('authorization', f'Bearer {token}'),)
-
-
-def _absolute(path: Path) -> str:
-    """A path of this process's folder as others see it; s3:// and the like stay."""
-    text = os.fspath(path)
-    if not isinstance(text, str):
-        raise TypeError(f'path: has type {type(text).__name__}; expected text')
-    if text.startswith('s3:/') and not text.startswith('s3://'):
-        raise InvalidInput(f'{text}: a pathlib.Path has no s3://; give text')
-    return text.rstrip('/') if '://' in text else os.path.abspath(text)
 
 
 def _read_token(path: Path) -> str:

@@ -5,19 +5,20 @@ import json
 import math
 import numbers
 import os
-from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
+from typing import Any, Dict, List, Literal, Mapping, Optional, Tuple, Union
 
-from ._errors import InvalidInput, NotFound
+from ._errors import AlreadyExists, InvalidInput, NotFound
+from ._types import Path
 
-# 'accept', 'water', 'ground' or 'open'; ('water', level in metres); None takes an earlier decision back.
-Decision = Union[str, Tuple[str, float], None]
+# With a level in metres; None takes an earlier decision back.
+Decision = Union[Literal['accept', 'water', 'ground', 'open'], Tuple[Literal['water'], float], None]
 
 _KINDS = ('accept', 'water', 'ground', 'open')
 _KEPT = ('hole', 'cluster')  # what --decisions reads beside the decision
 
 
-def write_decisions(report: Dict[str, Any], outlines: str, path: Union[str, 'os.PathLike[str]'],
-                    decisions: Mapping[int, Decision]) -> None:
+def write_decisions(report: Dict[str, Any], outlines: str, path: Path, decisions: Mapping[int, Decision],
+                    overwrite: bool) -> None:
     """Writes the decisions, and those that the report's output has already. `outlines`: path of its holes.geojson."""
     collection = _read(outlines)
     marks: Dict[int, Optional[Dict[str, Any]]] = {}
@@ -42,8 +43,10 @@ def write_decisions(report: Dict[str, Any], outlines: str, path: Union[str, 'os.
                            f'{", ".join(map(str, sorted(without)))}, so nothing can be decided on it')
     text = json.dumps(dict(collection, features=features))
     try:
-        with open(path, 'w', encoding='utf-8') as file:
+        with open(path, 'w' if overwrite else 'x', encoding='utf-8') as file:
             file.write(text)
+    except FileExistsError:
+        raise AlreadyExists(f'{os.fsdecode(path)}: exists already; choose another path, or give overwrite=True') from None
     except OSError as error:
         raise InvalidInput(f'{os.fsdecode(path)}: cannot be written: {error.strerror}') from None
 
@@ -64,7 +67,8 @@ def _properties(hole: int, decision: Decision) -> Optional[Dict[str, Any]]:
     if decision is None:
         return None
     kind, level = decision if isinstance(decision, tuple) and len(decision) == 2 else (decision, None)
-    is_level = level is None or isinstance(level, numbers.Real) and abs(level) < math.inf and kind == 'water'
+    is_number = isinstance(level, numbers.Real) and not isinstance(level, bool) and math.isfinite(level)
+    is_level = level is None or is_number and kind == 'water'
     if kind not in _KINDS or not is_level:
         raise InvalidInput(f'decisions[{hole}] is {decision!r}: expected {", ".join(_KINDS)}, None, or ("water", LEVEL) '
                            'with a finite number')

@@ -1,7 +1,12 @@
 """Exceptions. Each has the text for people and, where there is one, a reason for programs."""
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Dict, Optional, Type
+
+from . import _tilemend
+from ._job_options import ROWS
+from ._options import SWITCH
 
 if TYPE_CHECKING:
     from ._jobs import Job
@@ -37,12 +42,20 @@ class Conflict(Error):
     """Not now, or not as it is: the job is over, the output exists, another job writes there."""
 
 
+class AlreadyExists(Conflict, FileExistsError):
+    """The output or the file is there already, and may not be replaced."""
+
+
 class TooMuch(Error):
     """More than there is room for: jobs, calls, memory. Try again later."""
 
 
 class Unavailable(Error, ConnectionError):
     """The coordinator cannot be reached."""
+
+
+class TimedOut(Error, TimeoutError):
+    """The job is not over after the time that `wait` had. It goes on."""
 
 
 class Cancelled(Error):
@@ -61,10 +74,33 @@ class JobFailed(Error):
 
 # By google.rpc.Code, which absl::StatusCode and grpc.StatusCode share.
 _BY_CODE: Dict[int, Type[Error]] = {
-    1: Cancelled, 3: InvalidInput, 5: NotFound, 6: Conflict, 7: NotAllowed, 8: TooMuch, 9: Conflict, 10: Conflict,
+    1: Cancelled, 3: InvalidInput, 5: NotFound, 6: AlreadyExists, 7: NotAllowed, 8: TooMuch, 9: Conflict, 10: Conflict,
     11: InvalidInput, 14: Unavailable, 16: NotAllowed}
+# Names of options. Of a job, then of one mesh.
+_ALL = [*ROWS, *_tilemend.options()]
+_SWITCHES = {row['name'] for row in _ALL if row['expected'] == SWITCH}
+_OTHERS = {row['name'] for row in _ALL} - _SWITCHES
+# Flags in texts of the programs. What is within a command stays.
+_CALLS = {'tilemend list': 'Client.jobs()', 'tilemend workers': 'Client.workers()', 'tilemend resume': 'Client.resume()'}
+_FLAG = re.compile(r'(?P<command>tilemend [a-z]+(?: --?[a-z-]+(?: [A-Z]+\b)?)*)|(?<![^\s(`])--(?P<name>[a-z][a-z-]*)'
+                   r'(?: (?P<value>[A-Z]+)\b)?')
 
 
 def from_status(code: int, message: str, reason: str, metadata: Optional[Dict[str, str]] = None) -> Error:
     """The exception for a status of the program."""
-    return _BY_CODE.get(code, Error)(message, reason, metadata)
+    return _BY_CODE.get(code, Error)(with_keywords(message), reason, metadata)
+
+
+def with_keywords(text: str) -> str:
+    """A text of the programs with options as keywords, in place of flags."""
+    return _FLAG.sub(_keyword, text)
+
+
+def _keyword(flag: 're.Match[str]') -> str:
+    """overwrite=True of --overwrite, decisions=FILE of --decisions FILE, out of --out; other flags stay."""
+    name = (flag['name'] or '').replace('-', '_')
+    if flag['command'] or name not in {'out', *_SWITCHES, *_OTHERS}:
+        return _CALLS.get(flag[0], flag[0])
+    if name in _SWITCHES:
+        return f'{name}=True' + (f' {flag["value"]}' if flag['value'] else '')
+    return f'{name}={flag["value"]}' if flag['value'] else name

@@ -3,62 +3,18 @@ from __future__ import annotations
 
 import json
 import os
-from dataclasses import dataclass, field
-from typing import Any, Callable, Dict, List, Optional, Tuple
+from typing import Any, Dict, List, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _tilemend
 from ._errors import InvalidInput
-from ._report import table_of
+from ._filled import Filled
+from ._options import SWITCH, documented
+from ._types import FillProgress, Rows
 
-_SWITCH = 'true or false'  # as options() has it
 _MOST_ROWS = 2**31 - 1
-
-Progress = Callable[[str, int, int], Any]
-
-
-@dataclass(frozen=True, eq=False)
-class Filled:
-    """A mesh with its holes filled. The original vertices and faces come first, unchanged and in their order.
-
-    With `weld` or `clear` faces change or are missing; vertices never do.
-
-    Attributes:
-        vertices: (n, 3) coordinates in the unit of the input, float32 if the input was, else float64.
-        faces: (m, 3) int32, indices of vertices, counter-clockwise seen from outside.
-        filled: (m,) bool, True for new faces.
-        report: what `tilemend fill -o json` prints: every hole and what became of it.
-    """
-
-    vertices: NDArray[Any]
-    faces: NDArray[np.int32]
-    filled: NDArray[np.bool_]
-    report: Dict[str, Any] = field(repr=False)
-
-    @property
-    def new_faces(self) -> NDArray[np.int32]:
-        """(k, 3) int32, the new faces alone."""
-        return self.faces[self.filled]
-
-    @property
-    def holes(self) -> List[Dict[str, Any]]:
-        """A row for each hole: `id`, `centre`, `area_m2`, `outcome`, `reason`, `method`, ... (user guide, "Report")."""
-        return list(self.report['per_hole'])
-
-    @property
-    def left(self) -> List[Dict[str, Any]]:
-        """The holes that stay open: `hole`, `reason`, `open_edges`."""
-        return list(self.report['left'])
-
-    @property
-    def warnings(self) -> List[str]:
-        return list(self.report['warnings'])
-
-    def holes_table(self) -> Any:
-        """The holes as a pandas.DataFrame, one row a hole, indexed by `id`. Needs pandas."""
-        return table_of(self.holes)
 
 
 def options() -> List[Dict[str, str]]:
@@ -66,17 +22,20 @@ def options() -> List[Dict[str, str]]:
     return [dict(row) for row in _tilemend.options()]
 
 
-def fill(vertices: ArrayLike, faces: ArrayLike, *, progress: Optional[Progress] = None, **options: Any) -> Filled:
+@documented(options())
+def fill(vertices: Rows, faces: Rows, *, progress: Optional[FillProgress] = None, **options: Any) -> Filled:
     """Fills the holes of a triangle mesh. The result is that of `tilemend fill`, bit for bit.
 
     Args:
-        vertices: (n, 3) float32 or float64, finite, at most 1e9 in size. Metres for terrain, else any unit. Other
-            sequences become float64. Arrays in C order are read without a conversion.
+        vertices: (n, 3) float32 or float64, finite, at most 1e9 in size. Metres for terrain, else any unit. Integers
+            and other sequences become float64. Arrays in C order are read without a conversion.
         faces: (m, 3) integers, indices of vertices, counter-clockwise seen from outside.
         progress: called as progress(step, holes_done, holes) in this thread, at most 20 times a second. An exception
             that it raises ends the work.
-        **options: as the flags of `tilemend fill`, with _ for -. `tilemend.options()` lists them. True turns a switch
-            on; None and False leave an option out.
+        **options: as the flags of `tilemend fill`, with _ for -. True turns a switch on; None and False leave an
+            option out.
+
+            OPTIONS
 
     Returns:
         A new mesh; the arrays that came in are not changed. Holes that cannot be filled are in `Filled.left`.
@@ -98,8 +57,10 @@ def _vertices(given: ArrayLike) -> NDArray[Any]:
     if not isinstance(given, np.ndarray):
         given = _array('vertices', given, np.float64)
     _check_rows('vertices', given)
+    if given.dtype.kind in 'iu':
+        return np.require(given, np.float64, ('C', 'ALIGNED'))
     if given.dtype.kind != 'f' or given.dtype.itemsize not in (4, 8):
-        raise TypeError(f'vertices: has dtype {given.dtype}; expected float32 or float64')
+        raise TypeError(f'vertices: has dtype {given.dtype}; expected float32, float64 or integers')
     return np.require(given, given.dtype.newbyteorder('='), ('C', 'ALIGNED'))
 
 
@@ -141,7 +102,7 @@ def _texts(given: Dict[str, Any]) -> Dict[str, str]:
     texts = {}
     for name, value in given.items():
         value = value.item() if isinstance(value, np.generic) else value
-        is_switch = expected.get(name) == _SWITCH
+        is_switch = expected.get(name) == SWITCH
         if value is None or value is False:
             continue
         if isinstance(value, bool) != is_switch and name in expected and not isinstance(value, str):

@@ -3,10 +3,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from datetime import datetime, timezone
-from typing import Any, Optional, Tuple
+from typing import Any, Literal, Optional, Tuple
 
 from .v1 import jobs_pb2
 
+JobState = Literal['RUNNING', 'DONE', 'PARTIAL', 'FAILED', 'CANCELLED']
 OVER = ('DONE', 'PARTIAL', 'FAILED', 'CANCELLED')
 
 
@@ -71,6 +72,11 @@ class Job:
     def is_over(self) -> bool:
         return self.state in OVER
 
+    @property
+    def status(self) -> str:
+        """The state as `tilemend list` shows it: "running", "paused", "done", "partial", "failed" or "cancelled"."""
+        return 'paused' if self.paused and self.state == 'RUNNING' else self.state.lower()
+
 
 @dataclass(frozen=True)
 class Worker:
@@ -87,6 +93,11 @@ class Worker:
     threads: int
     tasks: int
     message: str
+
+    @property
+    def status(self) -> str:
+        """The state as `tilemend workers` shows it: "working", "idle" (it holds no task), "draining" or "set aside"."""
+        return 'idle' if self.state == 'WORKING' and self.tasks == 0 else self.state.lower().replace('_', ' ')
 
 
 def job_of(job: Any, reason: str) -> Job:

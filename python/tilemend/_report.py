@@ -3,18 +3,21 @@ from __future__ import annotations
 
 import json
 import os
-from dataclasses import dataclass, field
-from typing import Any, Dict, List, Mapping, Optional, Union
+from dataclasses import dataclass
+from typing import Any, Dict, List, Mapping, Optional
 
 from ._decisions import Decision, write_decisions
 from ._errors import InvalidInput, NotAllowed, NotFound
+from ._types import Path
 
 _LISTS = ('per_hole', 'left', 'warnings', 'water', 'look_at')
 _NEWER_LISTS = ('review', 'water_areas', 'not_holes', 'tension', 'levels')  # not in reports of every release
-_COLUMNS = ('area_m2', 'outcome', 'taken_for', 'x', 'y', 'z', 'column', 'row')  # of a table without rows
+_NUMBERS = ('hole', 'cluster', 'layer', 'body', 'clear_height', 'share_on_objects')  # of holes.geojson, as what follows
+_UNITS = ('_m', '_m2')
+_COLUMNS = ('column', 'row', 'x', 'y', 'z', 'area_m2', 'outcome', 'taken_for')  # of a table without rows
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Report:
     """What was filled, what was left, and why (user guide, "Report").
 
@@ -24,7 +27,13 @@ class Report:
     """
 
     path: str
-    data: Dict[str, Any] = field(repr=False)
+    data: Dict[str, Any]
+
+    def __repr__(self) -> str:
+        filled = sum(hole.get('outcome') == 'filled' for hole in self.holes)
+        warnings = f', {counted(len(self.warnings), "warning")}' if self.warnings else ''
+        return (f'Report({self.path!r}: {counted(filled, "hole")} filled, {len(self.left)} left, '
+                f'{len(self.review)} to review{warnings})')
 
     def __getitem__(self, key: str) -> Any:
         return self.data[key]
@@ -87,34 +96,37 @@ class Report:
         return list(self.data.get(name) or [])
 
     def holes_table(self) -> Any:
-        """The holes as a pandas.DataFrame indexed by `id`; centres as columns `x`, `y` and, of holes over no
-        horizontal plane, `z` in metres. Needs pandas."""
+        """The holes as a pandas.DataFrame indexed by `id`. Their cells are the columns `column` and `row`, their centres
+        `x` and `y` and, if holes have a height, `z`, in metres. Needs pandas."""
         return table_of(self.holes)
 
     def review_table(self) -> Any:
         """The fills in doubt as a pandas.DataFrame indexed by `hole`, the most doubtful first. Needs pandas."""
         return table_of(self.review, 'hole')
 
-    def write_decisions(self, path: Union[str, 'os.PathLike[str]'], decisions: Mapping[int, Decision]) -> None:
+    def write_decisions(self, path: Path, decisions: Mapping[int, Decision], *, overwrite: bool = False) -> None:
         """Writes a file for `decisions` of a job, or `tilemend run --decisions`, onto this output.
 
         The file has the decisions of earlier rounds as well: what is not in it is undone.
 
         Args:
-            path: the file, GeoJSON. One that is there is replaced.
+            path: the file, GeoJSON.
             decisions: by number of hole 'accept', 'water', 'ground' or 'open'; ('water', level) with a height in the
                 scene's CRS, as `level_m` of holes.geojson; None takes an earlier decision back. Each also decides on
                 the holes that belong together with it (`holes` in `review`).
+            overwrite: replaces a file that is there.
 
         Raises:
-            InvalidInput: there is no such hole or decision, or the hole has no polygon.
+            InvalidInput (a ValueError): there is no such hole or decision, the hole has no polygon, or a level is not
+            finite.
+            AlreadyExists (a FileExistsError): there is such a file.
             NotFound: there is no holes.geojson beside the report.
         """
-        write_decisions(self.data, self._holes_path(), path, decisions)
+        write_decisions(self.data, self._holes_path(), path, decisions, overwrite)
 
     def holes_map(self) -> Any:
         """The polygons of the holes as a geopandas.GeoDataFrame in the scene's CRS, from holes.geojson beside the
-        report. Needs GeoPandas."""
+        report. What is not there is NaN in columns of numbers and None in all others. Needs GeoPandas."""
         try:
             import geopandas
         except ImportError:
@@ -122,20 +134,20 @@ class Report:
         path = self._holes_path()
         if not os.path.exists(path):
             raise NotFound(f'{path}: no such file; only `tilemend run` and jobs write it')
-        return geopandas.read_file(path)
+        return _with_none(geopandas.read_file(path))
 
     def _holes_path(self) -> str:
         return os.path.join(os.path.dirname(self.path), 'holes.geojson')
 
 
-def read_report(path: Union[str, 'os.PathLike[str]']) -> Report:
+def read_report(path: Path) -> Report:
     """Reads a report.
 
     Args:
         path: an output folder, or a report.json.
 
     Raises:
-        NotFound: there is no such file: the output is not complete, or not there.
+        NotFound: there is no such folder or file: the output is not there, or not complete.
         NotAllowed: the file may not be read.
         InvalidInput: it is no report.
     """
@@ -148,7 +160,7 @@ def read_report(path: Union[str, 'os.PathLike[str]']) -> Report:
         with open(name, encoding='utf-8') as file:
             data = json.load(file)
     except FileNotFoundError:
-        raise NotFound(f'{name}: no such file; an output without it is not complete') from None
+        raise NotFound(_what_is_missing(name, os.fsdecode(path))) from None
     except PermissionError:
         raise NotAllowed(f'{name}: may not be read by this user') from None
     except OSError as error:
@@ -161,6 +173,15 @@ def read_report(path: Union[str, 'os.PathLike[str]']) -> Report:
     return Report(name, data)
 
 
+def _what_is_missing(name: str, given: str) -> str:
+    """`name`: the report.json of `given`, if that is a folder."""
+    if name != given:
+        return f'{name}: no such file; an output without it is not complete'
+    is_file = name.endswith('.json')
+    folder = os.path.dirname(name) if is_file else name
+    return f'{name}: no such file' if is_file and os.path.isdir(folder or '.') else f'{folder}: no such folder'
+
+
 def _missing(data: Any) -> Optional[str]:
     if not isinstance(data, dict):
         return f'expected an object, found {type(data).__name__}'
@@ -168,6 +189,21 @@ def _missing(data: Any) -> Optional[str]:
         if not isinstance(data.get(key, None if key in _LISTS else []), list):
             return f'it has no list "{key}"'
     return None
+
+
+def _with_none(holes: Any) -> Any:
+    """The same with one kind of empty value for each column. A column without any value has no type of its own."""
+    for name in holes.columns.drop('geometry'):
+        is_number = name in _NUMBERS or name.endswith(_UNITS)
+        if is_number and holes[name].isna().all():
+            holes[name] = holes[name].astype(float)
+        elif not is_number:
+            holes[name] = _without_nan(holes[name].astype(object))
+    return holes
+
+
+def _without_nan(column: Any) -> Any:
+    return column.where(column.notna(), None)
 
 
 def table_of(holes: List[Dict[str, Any]], index: str = 'id') -> Any:
@@ -178,11 +214,21 @@ def table_of(holes: List[Dict[str, Any]], index: str = 'id') -> Any:
         raise ImportError('a table needs pandas (Debian: python3-pandas)') from None
     rows = []
     for hole in holes:
-        row = {key: value for key, value in hole.items() if key not in ('centre', 'cell', 'water')}
-        row['x'], row['y'], row['z'] = (list(hole.get('centre') or []) + [None] * 3)[:3]
+        row: Dict[str, Any] = {index: hole[index]}
         row['column'], row['row'] = (list(hole.get('cell') or []) + [None, None])[:2]
+        row['x'], row['y'], row['z'] = (list(hole.get('centre') or []) + [None] * 3)[:3]
+        row.update((key, value) for key, value in hole.items() if key not in ('centre', 'cell', 'water'))
         if isinstance(row.get('level_m'), list):  # of a river: its upper and lower end
             row['level_m'], row['lower_level_m'] = row['level_m']
         row.setdefault('taken_for', (hole.get('water') or {}).get('taken_for'))
         rows.append(row)
-    return pandas.DataFrame(rows, columns=None if rows else [index, *_COLUMNS]).set_index(index)
+    table = pandas.DataFrame(rows, columns=None if rows else [index, *_COLUMNS]).set_index(index)
+    for name in table.columns[table.dtypes == object]:
+        table[name] = _without_nan(table[name])
+    has_no_height = bool(rows) and all(row['z'] is None for row in rows)  # over a horizontal plane
+    return table.drop(columns='z') if has_no_height else table
+
+
+def counted(count: int, one: str, many: str = '') -> str:
+    """"1 hole", "2 holes"."""
+    return f'{count} {one if count == 1 else many or one + "s"}'

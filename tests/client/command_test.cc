@@ -215,14 +215,18 @@ TEST_F(CommandTest, WhatIsPrintedOfAReportIsPrintable) {
 
 TEST_F(CommandTest, WhatCannotBePrintedIsAnError) {
   ASSERT_TRUE(WriteFileAtomically(folder_ / "out/report.json", R"({"version": "0.1.0", "cells": 4})").ok());
-  const auto run_in_shell = [&](const std::string& redirection) {
-    const std::string words = absl::StrCat(TOY_CLIENT, " report ", folder_ / "out", " ", redirection);
-    return Process(folder_.path().string(), "/bin/sh", {"-c", words}).Wait();
+  const auto run_in_shell = [&](const std::string& words, const char* redirection) {
+    return Process(folder_.path().string(), "/bin/sh", {"-c", absl::StrCat(TOY_CLIENT, " ", words, redirection)})
+        .Wait();
   };
-  const Ended full = run_in_shell("> /dev/full");
-  EXPECT_EQ(full.code, 5);
-  EXPECT_THAT(full.err, HasSubstr("standard output: cannot write"));
-  EXPECT_EQ(run_in_shell(">&-").code, 0);
+  const std::string report = absl::StrCat("report ", folder_ / "out");
+  for (const std::string& words : {report, std::string("--version"), std::string("--help"), std::string("help run")}) {
+    const Ended full = run_in_shell(words, " > /dev/full");
+    EXPECT_EQ(full.code, 5) << words;
+    EXPECT_THAT(full.err, HasSubstr("standard output: cannot write")) << words;
+  }
+  EXPECT_NE(run_in_shell("--describe bash", " > /dev/full").code, 0);
+  EXPECT_EQ(run_in_shell(report, " >&-").code, 0);
 }
 
 TEST_F(CommandTest, ReportShowsTheReportOfAnOutput) {
@@ -234,6 +238,17 @@ TEST_F(CommandTest, ReportShowsTheReportOfAnOutput) {
   EXPECT_THAT(ended.out, HasSubstr("\n1 warning\n  mind the gap\n"));
   ASSERT_TRUE(WriteFileAtomically(folder_ / "out/report.json", "[").ok());
   EXPECT_EQ(Run({"report", folder_ / "out"}).code, 4);
+}
+
+TEST_F(CommandTest, ReportMakesThePageOfReportJsonAlone) {
+  for (const char* name : {"out/report.json", "out/old.json"}) {
+    ASSERT_TRUE(WriteFileAtomically(folder_ / name, R"({"version": "0.1.0", "cells": 4})").ok());
+  }
+  EXPECT_EQ(Run({"report", folder_ / "out/old.json"}).code, 0);
+  const Ended ended = Run({"report", folder_ / "out/old.json", "--html"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("old.json; give the folder, or leave --html out"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/report.html"));
 }
 
 // A cluster of processes: the programs as they are installed, but for the geometry.
@@ -305,7 +320,8 @@ TEST_F(ClusterCommandTest, JobsArePausedResumedAndPrioritized) {
   EXPECT_EQ(RunWith({"resume", job["name"]}).code, 0);
   EXPECT_FALSE(cluster_->Get(job["name"]).paused());
   EXPECT_EQ(nlohmann::json::parse(RunWith({"prioritize", job["name"], "9", "-o", "json"}).out)["priority"], 9);
-  EXPECT_EQ(RunWith({"prioritize", job["name"], "101"}).code, 4);
+  EXPECT_EQ(RunWith({"prioritize", job["name"], "101"}).code, 2);
+  EXPECT_EQ(RunWith({"submit", "toy://2x2", "--out", folder_ / "high", "--priority", "-101"}).code, 2);
   EXPECT_EQ(RunWith({"prioritize", job["name"], "high"}).code, 2);
 }
 

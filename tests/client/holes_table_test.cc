@@ -16,7 +16,7 @@ Json Hole(int id, double area) {
 
 TEST(PlannedHolesTextTest, ListsWhatIsToBeFilledTheLargestFirstAndDoesNotPromiseIt) {
   Json plan;
-  plan["per_hole"] = {Hole(0, 2), Hole(1, 30), Hole(2, 100)};
+  plan["per_hole"] = {Hole(0, 0.02), Hole(1, 30), Hole(2, 100)};
   plan["per_hole"][1]["level_m"] = 12.5;
   plan["per_hole"][2]["reason"] = "too wild";
   plan["per_hole"].push_back(Hole(3, 20));
@@ -26,11 +26,11 @@ TEST(PlannedHolesTextTest, ListsWhatIsToBeFilledTheLargestFirstAndDoesNotPromise
   plan["per_hole"][4]["water"] = {{"taken_for", "lake"}, {"level_m", 3}, {"sigma_m", 0.02}, {"reason", "it agrees"}};
   EXPECT_EQ(PlannedHolesText(plan),
             "\n4 holes to fill, the largest first; filling may find some that stay open\n"
-            "hole  kind    cell   centre, m  area, m2  rim, m  taken for                       because\n"
-            "   1  closed  [0,1]  [1.5,2.5]      30.0     8.0  at 12.500 m\n"
-            "   3  closed  [0,1]  [1.5,2.5]      20.0     8.0  ground                          it falls\n"
-            "   4  closed  [0,1]  [1.5,2.5]      10.0     8.0  lake at 3.000 m, sigma 0.020 m  it agrees\n"
-            "   0  closed  [0,1]  [1.5,2.5]       2.0     8.0\n");
+            "hole  kind    cell   centre, m    area, m2  rim, m  taken for                       because\n"
+            "   1  closed  [0,1]  [1.50,2.50]      30.0     8.0  at 12.500 m\n"
+            "   3  closed  [0,1]  [1.50,2.50]      20.0     8.0  ground                          it falls\n"
+            "   4  closed  [0,1]  [1.50,2.50]      10.0     8.0  lake at 3.000 m, sigma 0.020 m  it agrees\n"
+            "   0  closed  [0,1]  [1.50,2.50]     0.020     8.0\n");
 }
 
 TEST(PlannedHolesTextTest, ShowsTheFirstOfMany) {
@@ -50,9 +50,9 @@ TEST(LargeHolesTextTest, SaysWhatTheyWereFilledAsAndWhy) {
   report["per_hole"][1]["water"] = {{"taken_for", "lake"}, {"level_m", 3}, {"reason", "a polygon says so"}};
   EXPECT_EQ(LargeHolesText(report),
             "\n2 large holes\n"
-            "hole  cell   centre, m  area, m2  filled as        because\n"
-            "   1  [0,1]  [1.5,2.5]     300.0  lake at 3.000 m  a polygon says so\n"
-            "   0  [0,1]  [1.5,2.5]     200.0  ground           it falls\n");
+            "hole  cell   centre, m    area, m2  filled as        because\n"
+            "   1  [0,1]  [1.50,2.50]     300.0  lake at 3.000 m  a polygon says so\n"
+            "   0  [0,1]  [1.50,2.50]     200.0  ground           it falls\n");
   report["per_hole"][1]["outcome"] = "left";
   EXPECT_THAT(LargeHolesText(report), HasSubstr("1 large hole\n"));
 }
@@ -66,8 +66,16 @@ TEST(LookAtTextTest, ListsPlaces) {
       {{"hole", 7}, {"cell", {0, 1}}, {"centre", {1.5, 2.5}}, {"area_m2", 300}, {"why", "it is large"}});
   EXPECT_EQ(LookAtText(report),
             "\n1 place to look at\n"
-            "hole  cell   centre, m  area, m2  why\n"
-            "   7  [0,1]  [1.5,2.5]     300.0  it is large\n");
+            "hole  cell   centre, m    area, m2  why\n"
+            "   7  [0,1]  [1.50,2.50]     300.0  it is large\n");
+}
+
+TEST(KindsTextTest, CountsTheCellsThatWereChosen) {
+  Json report;
+  report["per_hole"] = {Hole(0, 2), Hole(1, 3)};
+  report["per_hole"][1]["outcome"] = "left";
+  report["per_hole"][1]["reason"] = "in a cell that was not chosen";
+  EXPECT_THAT(KindsText(report), HasSubstr("all               1  "));
 }
 
 TEST(KindsTextTest, HasALegendOnlyWhereThereAreOpenHoles) {

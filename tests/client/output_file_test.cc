@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <optional>
@@ -26,6 +29,8 @@ class OutputFileTest : public testing::Test {
 
   TemporaryFolder folder_;
 };
+
+using OutputFileDeathTest = OutputFileTest;
 
 TEST_F(OutputFileTest, TakesANameThatIsFree) {
   EXPECT_TRUE(CheckOutputFile(Path("new.ply"), false).ok());
@@ -68,6 +73,24 @@ TEST_F(OutputFileTest, LeavesNothingBehind) {
 TEST_F(OutputFileTest, TakesOverWhatAKilledProcessLeft) {
   folder_.Write(".out.ply.tilemend-lock", "");
   EXPECT_TRUE(OutputLock::Take(Path("out.ply")).ok());
+}
+
+// In a folder that many may write to.
+TEST_F(OutputFileDeathTest, TakesOverWhatAProcessOfAnotherUserLeft) {
+  if (::geteuid() != 0) GTEST_SKIP() << "root alone can become another user";
+  const std::string lock = folder_.Write(".out.ply.tilemend-lock", "");
+  fs::permissions(folder_.path(), fs::perms::all);
+  const auto as_another = [&](fs::perms of_lock) {
+    fs::permissions(lock, of_lock);
+    constexpr uid_t kNobody = 65534;
+    if (::setuid(kNobody) != 0) std::abort();
+    const absl::Status status = OutputLock::Take(Path("out.ply")).status();
+    std::fprintf(stderr, "%s\n", std::string(status.message()).c_str());
+    std::exit(status.ok() ? 0 : 1);
+  };
+  EXPECT_EXIT(as_another(fs::perms::owner_read), testing::ExitedWithCode(1), "/.out.ply.tilemend-lock: cannot open");
+  EXPECT_EXIT(as_another(fs::perms::owner_read | fs::perms::group_read | fs::perms::others_read),
+              testing::ExitedWithCode(0), "");
 }
 
 TEST_F(OutputFileTest, SaysWhereItCannotWrite) {

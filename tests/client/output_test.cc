@@ -64,6 +64,14 @@ TEST(OutputTest, StatesAreInWordsOfPeople) {
   EXPECT_THAT(JobText(job, OutputFormat::kTable), testing::Not(testing::HasSubstr("paused")));
 }
 
+TEST(JobTextTest, BeginsWithTheNameThatTheJobHas) {
+  v1::Job job;
+  job.set_state(v1::DONE);
+  EXPECT_THAT(JobText(job, OutputFormat::kTable), testing::StartsWith("state    done\nscene"));
+  job.set_name("jobs/7");
+  EXPECT_THAT(JobText(job, OutputFormat::kTable), testing::StartsWith("job      jobs/7\nstate    done\n"));
+}
+
 TEST(JobsTextTest, KeepsToEightyColumns) {
   const std::string text = JobsText({LongJob()}, OutputFormat::kTable, 80);
   ExpectLinesWithin(text, 80);
@@ -79,6 +87,16 @@ TEST(WorkersTextTest, KeepsToEightyColumns) {
   ExpectLinesWithin(text, 80);
   EXPECT_THAT(text, HasSubstr("k2p-1-1d3964  working  64/64  1 h 05 min  0 s"));
   EXPECT_THAT(WorkersText({LongWorker()}, OutputFormat::kTable), HasSubstr(LongWorker().id()));
+}
+
+TEST(WorkersTextTest, TellsTasksThatWaitFromThoseThatRun) {
+  v1::WorkerInfo worker;
+  worker.set_threads(2);
+  worker.set_tasks(4);
+  EXPECT_THAT(WorkersText({worker}, OutputFormat::kTable), HasSubstr("  2/2, 2 waiting  "));
+  worker.set_tasks(1);
+  EXPECT_THAT(WorkersText({worker}, OutputFormat::kTable), HasSubstr("  1/2  "));
+  EXPECT_THAT(WorkersText({worker}, OutputFormat::kTable), Not(HasSubstr("waiting")));
 }
 
 TEST(DurationTextTest, HasTwoUnitsAtMost) {

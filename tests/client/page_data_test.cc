@@ -20,8 +20,8 @@ constexpr char kReport[] = R"({"cells": 3, "scene": "/data/<b>x</b>", "options":
   {"id": 0, "cell": [0, 0], "kind": "I", "type": "B", "centre": [1, 2], "area_m2": 5.5, "perimeter_m": 9,
    "outcome": "filled", "method": "water", "level_m": [3.5, 3.25], "water": {"sigma_m": 0.02, "reason": "level"}},
   {"id": 1, "cell": [1, 0], "kind": "closed", "single": "crack", "centre": [11, 2], "area_m2": -70, "perimeter_m": 12,
-   "outcome": "left", "reason": "=cmd, \"quoted\" </script><script>alert(1)</script>"}],
-  "left": [{"cell": [1, 0], "hole": 1, "reason": "r"}, {"cell": [2, 0], "at": [21, 3, 0], "open_edges": 4, "reason": "loose"}],
+   "outcome": "left", "rim_height_m": 3.5, "reason": "=cmd, \"quoted\" </script><script>alert(1)</script>"}],
+  "left": [{"cell": [1, 0], "hole": 1, "reason": "r"}, {"cell": [2, 0], "at": [21, 3, 7], "open_edges": 4, "reason": "loose"}],
   "cleared": {"tiles": [{"cell": [0, 0], "triangles": 17}]},
   "borders": {"inexact": [{"margins_m": [0.1, 0.25]}]}})";
 
@@ -73,7 +73,8 @@ TEST(ReportedOutputTest, ReadsWhatTheCheckAsksFor) {
   const ReportedOutput reported = ReadReported(Report());
   ASSERT_THAT(reported.left, SizeIs(2));
   EXPECT_EQ(reported.left[0].reach, 6);
-  EXPECT_EQ(reported.left[1].at, Point2(21, 3));
+  EXPECT_EQ(reported.left[0].at, Point3(11, 2, 3.5));
+  EXPECT_EQ(reported.left[1].at, Point3(21, 3, 7));
   const auto& water = reported.water.at({0, 0});
   ASSERT_THAT(water, SizeIs(1));
   EXPECT_EQ(water[0].fill.lowest, 3.25);

@@ -28,5 +28,15 @@ TEST(BarLineTest, TheBarGetsShorterBeforeTheTextIsCut) {
   EXPECT_EQ(BarLine(0.5, "survey", 18), "[#####.....] surv");
 }
 
+TEST(TimesTextTest, GuessesTheRestOfAJobThatRuns) {
+  v1::Job job;
+  job.mutable_create_time()->set_seconds(1000);
+  const absl::Time now = absl::FromUnixSeconds(1088);
+  EXPECT_EQ(TimesText(job, 0.01, now), ", 1 min 28 s");
+  EXPECT_EQ(TimesText(job, 0.5, now), ", 1 min 28 s, 1 min 28 s left");
+  job.mutable_end_time()->set_seconds(1064);
+  EXPECT_EQ(TimesText(job, 1, now), ", 1 min 04 s");
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -117,9 +117,9 @@ TEST(SummaryTextTest, TellsHowFarFillsAreApart) {
 
 TEST(SummaryTextTest, ListsHolesThatAreLeftFirstAndCountsWhatIsNone) {
   EXPECT_THAT(SummaryText(Report()), HasSubstr("\n2 left\n"
-                                               "hole  cell   centre, m  area, m2  edges  reason\n"
-                                               "   7  [1,2]  [1.5,2.5]      33.2      9  too wild\n"
-                                               "      [3,4]                           1  no loop\n"
+                                               "hole  cell   centre, m    area, m2  edges  reason\n"
+                                               "   7  [1,2]  [1.50,2.50]      33.2      9  too wild\n"
+                                               "      [3,4]                      -      1  no loop\n"
                                                "\nopen, but no holes\n"
                                                "number  edges  what\n"
                                                "    12    345  outline of a piece\n"));

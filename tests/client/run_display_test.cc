@@ -42,16 +42,25 @@ TEST(ResultTextTest, SaysWhatWasFilledWhereTheWaterIsAndWhereToLook) {
     "water": [{"kind": "lake", "level_m": 7.125, "area_m2": 20.5, "sigma_m": 0.1, "rim_m": [7, 8], "rim_vertices": 9,
                "cells": 1, "decided_by": "rim", "removed_rises": []}],
     "left": [{"cell": [0, 0], "reason": "no way", "hole": 1, "open_edges": 4}], "not_holes": []})");
-  const std::string text = ResultText(report, "/out/report.html");
+  const std::string text = ResultText(report);
   EXPECT_THAT(text, StartsWith("1 of 2 holes filled, 20.5 m2\nwarning: a warning\n"));
-  for (const char* shown : {"7.125", "1 place to look at", "1 left open", "no way", "look at: /out/report.html\n"}) {
+  for (const char* shown : {"7.125", "1 place to look at", "1 left open", "no way"}) {
     EXPECT_THAT(text, HasSubstr(shown));
   }
   EXPECT_THAT(text, Not(HasSubstr("task")));
 }
 
+TEST(ResultTextTest, CountsTheHolesOfTheCellsThatWereChosen) {
+  const auto report = nlohmann::ordered_json::parse(R"({
+    "per_hole": [{"id": 0, "area_m2": 20.5, "outcome": "filled"},
+                 {"id": 1, "area_m2": 0.02, "outcome": "left", "reason": "no way"},
+                 {"id": 2, "area_m2": 9, "outcome": "left", "reason": "in a cell that was not chosen"}]})");
+  EXPECT_THAT(ResultText(report),
+              StartsWith("1 of 2 holes filled, 20.5 m2; 1 left open is smaller than 0.05 m2 and does not count\n"));
+}
+
 TEST(ResultTextTest, AReportOfAnotherReleaseIsNoFault) {
-  EXPECT_THAT(ResultText(nlohmann::ordered_json::object(), "p"), StartsWith("0 of 0 holes filled"));
+  EXPECT_THAT(ResultText(nlohmann::ordered_json::object()), StartsWith("0 of 0 holes filled"));
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 #include "client/work_folder.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "common/util/files.h"
 #include "tests/support/temporary_folder.h"
@@ -57,6 +60,16 @@ TEST(WorkFolderTest, NeedsAPlaceToWrite) {
   const TemporaryFolder folder;
   const auto work = WorkFolder::Make(folder.Write("file", "x"));
   EXPECT_EQ(work.status().code(), absl::StatusCode::kPermissionDenied);
+}
+
+TEST(WorkFolderTest, NamesATemporaryFolderThatIsNotThere) {
+  const char* const set = std::getenv("TMPDIR");
+  const std::optional<std::string> before = set == nullptr ? std::nullopt : std::optional<std::string>(set);
+  ::setenv("TMPDIR", "/no/such/folder", 1);
+  const absl::Status status = WorkFolder::Make("").status();
+  before ? ::setenv("TMPDIR", before->c_str(), 1) : ::unsetenv("TMPDIR");
+  EXPECT_EQ(status.code(), absl::StatusCode::kPermissionDenied);
+  EXPECT_THAT(std::string(status.message()), testing::HasSubstr("TMPDIR=/no/such/folder: not a folder"));
 }
 
 }  // namespace

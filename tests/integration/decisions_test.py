@@ -125,6 +125,16 @@ def check_refusals(tilemend, scene, out, marks, folder):
                    '"geometry": {"type": "Polygon", "coordinates": [[[0, 0], [9, 0], [9, 9], [0, 0]]]}}]}')
     text = run(tilemend, 'run', scene, '--out', out, '--decisions', bad, codes=(4,))
     expect(f'{bad}: feature 0: property decision' in text, f'a bad file: {text}')
+    # A wrong file, or a level that no shore has, undoes nothing.
+    tiles, holes = tiles_of(out), Marks(out)
+    for properties, words in (({}, 'none of its features (1) is a decision'),
+                              ({'decision': 'water', 'level_m': 99999}, 'm above all surface of the scene')):
+        wrong = os.path.join(folder, 'wrong.geojson')
+        feature = next(dict(f, properties=properties) for f in holes.holes['features'] if 'Polygon' in f['geometry']['type'])
+        with open(wrong, 'w') as file:
+            json.dump({'type': 'FeatureCollection', 'crs': holes.holes['crs'], 'features': [feature]}, file)
+        text = run(tilemend, 'run', scene, '--out', out, '--decisions', wrong, codes=(4,))
+        expect(words in text and tiles_of(out) == tiles, f'a wrong file: {text}')
 
 
 def check_accepting(tilemend, scene, out, file, before, tiles):

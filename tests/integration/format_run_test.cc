@@ -4,11 +4,14 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/mesh_file.h"
+#include "common/codec/obj.h"
+#include "common/codec/ply_colours.h"
 #include "common/codec/tree/tile_tree.h"
 #include "common/util/files.h"
 #include "common/util/tile_files.h"
@@ -61,6 +64,13 @@ class FormatRunTest : public ::testing::Test {
     EXPECT_EQ(ReportOf(folder_ / "again")["per_hole"].size(), 0U);
   }
 
+  // How far beyond the pond the middle of a triangle lies, metres. Triangles that are missing have it within.
+  static double BeyondPond(const TriMesh& mesh, size_t t) {
+    const Triangle& corners = mesh.triangles[t];
+    const Point3 middle = (mesh.points[corners[0]] + mesh.points[corners[1]] + mesh.points[corners[2]]) / 3;
+    return (middle.head<2>() - kMiddle).norm() - OsgbScene::kRadius;
+  }
+
   const TemporaryFolder folder_;
   std::string same_;
 };
@@ -109,7 +119,15 @@ TEST_F(FormatRunTest, OsgbBecomesObjOfTheFinestLevelWithItsImages) {
   EXPECT_EQ(*ReadFile(folder_ / (stem + "_0.jpg")), "\xff\xd8\xff no image");
   EXPECT_THAT(*ReadFile(folder_ / (stem + ".mtl")), HasSubstr("map_Kd " + name + "_3.jpg"));
   EXPECT_EQ(Json::parse(*ReadFile(folder_ / "out/scene.json"))["crs"], "EPSG:25832");
-  EXPECT_EQ(Tilemend({"check", folder_ / "out"}).code, 0);
+  const auto obj = ParseTexturedObj(*ReadFile(folder_ / (stem + ".obj")), "obj");
+  ASSERT_EQ(obj->textures.groups.size(), 1U);
+  EXPECT_TRUE(obj->textures.groups[0].is_filled);
+  for (size_t t = 0; t < file->mesh.triangles.size(); ++t) {
+    const bool is_filled = t >= static_cast<size_t>(obj->textures.groups[0].first);
+    const double beyond = BeyondPond(file->mesh, t);
+    EXPECT_TRUE(is_filled ? beyond < 1 : beyond >= 0) << t << ", " << beyond;
+  }
+  ExpectNothingIsLeft();
 }
 
 TEST_F(FormatRunTest, TilesetsBecomeObj) {
@@ -189,6 +207,35 @@ TEST_F(FormatRunTest, OsgbBecomesPlyWithItsImages) {
   EXPECT_EQ(from_ply.code, 4);
   EXPECT_THAT(from_ply.err, HasSubstr("PLY tiles have their colours at vertices"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "set"));
+}
+
+TEST_F(FormatRunTest, ColoursOfVerticesOfAnObjAreThoseOfThePly) {
+  std::string obj;
+  for (int j = 0; j <= 8; ++j) {
+    for (int i = 0; i <= 8; ++i) absl::StrAppend(&obj, "v ", i, " ", j, " ", 0.02 * (i % 2), " 0.2 0.6 0.4\n");
+  }
+  for (int j = 0; j < 8; ++j) {
+    for (int i = 0; i < 8; ++i) {
+      const int a = 9 * j + i + 1;
+      const bool is_hole = i >= 3 && i < 5 && j >= 3 && j < 5;
+      if (!is_hole) absl::StrAppend(&obj, "f ", a, " ", a + 1, " ", a + 10, "\nf ", a, " ", a + 10, " ", a + 9, "\n");
+    }
+  }
+  folder_.Write("scene/a.obj", obj);
+  folder_.Write("scene/scene.json",
+                R"({"cell_size": 8, "cols": 1, "rows": 1, "tiles": [{"col": 0, "row": 0, "path": "a.obj"}]})");
+  ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--output-format", "ply"}).code, 0);
+  const std::string ply = *ReadFile(folder_ / "out/a/a.ply");
+  const size_t points = ParseMesh(MeshFormat::kPly, ply, "ply")->mesh.points.size();
+  std::vector<int32_t> vertices(points);
+  std::iota(vertices.begin(), vertices.end(), 0);
+  EXPECT_THAT(PlyVertexColours(ply, vertices, "ply").value(), ::testing::Each(Rgb{51, 153, 102}))
+      << "those of the fill are the rim's";
+  EXPECT_THAT(ply, HasSubstr("property uchar tilemend_filled\n"));
+  EXPECT_THAT(ReportOf(folder_ / "out")["warnings"].dump(), ::testing::Not(HasSubstr("colours of vertices")));
+  ExpectNothingIsLeft();
+  ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / "set", "--output-format", "3dtiles"}).code, 0);
+  EXPECT_THAT(ReportOf(folder_ / "set")["warnings"].dump(), HasSubstr("colours of vertices are not written"));
 }
 
 TEST_F(FormatRunTest, AnyNumberOfWorkersGivesTheSameBytes) {

@@ -131,6 +131,36 @@ TEST_F(SceneRunTest, ASceneFoundByNamesLeavesItsSceneJsonWithTheOutput) {
   EXPECT_EQ(Tilemend({"inspect", folder_ / "out"}).code, 0);
 }
 
+TEST_F(SceneRunTest, InspectReplacesNoFileThatItReads) {
+  const std::string scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene");
+  const std::string water = folder_.Write(
+      "water.geojson", R"({"type": "Polygon", "coordinates": [[[1, 1], [9, 1], [9, 9], [1, 9], [1, 1]]]})");
+  std::filesystem::create_symlink(water, folder_ / "link.geojson");
+  const auto before = FilesBelow(scene);
+  const std::string drawn = *ReadFile(water);
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"--holes", scene + "/scene.json"},
+                                                {"--holes", scene + "/tiles/../scene.json"},
+                                                {"--water", water, "--holes", water},
+                                                {"--clear", water, "--holes", folder_ / "link.geojson"},
+                                                {"--area", water, "--propose-water", water}}) {
+    std::vector<std::string> all = {"inspect", scene, "--overwrite"};
+    all.insert(all.end(), words.begin(), words.end());
+    const Ended ended = Tilemend(all);
+    EXPECT_EQ(ended.code, 2) << words.back() << ended.err;
+    EXPECT_THAT(ended.err, HasSubstr(words.back() + ": is read as input"));
+  }
+  EXPECT_EQ(FilesBelow(scene), before);
+  EXPECT_EQ(*ReadFile(water), drawn);
+}
+
+TEST_F(SceneRunTest, InspectTellsOutputsByTheirPlaces) {
+  const std::string scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene"), holes = folder_ / "q.geojson";
+  const Ended ended = Tilemend({"inspect", scene, "--holes", holes, "--propose-area", folder_ / "scene/../q.geojson"});
+  EXPECT_NE(ended.code, 0);
+  EXPECT_THAT(ended.err, HasSubstr("give each a file of its own"));
+  EXPECT_FALSE(std::filesystem::exists(holes));
+}
+
 TEST_F(SceneRunTest, AnExistingOutputIsLeftAlone) {
   const std::string scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene"), out = folder_ / "out";
   ASSERT_EQ(Run(scene, out).code, 0);

@@ -47,8 +47,11 @@ def main():
         code, shown = at_terminal('demo', demo)
         expect(code == 0, 'demo does not run twice', shown)
 
+        expect(shown.count('report.html') == 1, 'demo does not name the page once', shown)
+
         code, shown = at_terminal('run', f'{demo}/scene', '--out', f'{folder}/again', '-v')
-        expect(code == 0 and 'tasks' in shown and 'jobs/' in shown, 'run -v does not show the job', shown)
+        expect(code == 0 and 'tasks' in shown and f'{folder}/again/report.html' in shown, 'run -v does not show the job', shown)
+        expect('jobs/' not in shown, 'run -v names a job that no command can ask for', shown)
 
         mine = os.path.join(folder, 'mine')
         os.mkdir(mine)
@@ -58,7 +61,9 @@ def main():
 
         piped = subprocess.run([BIN, 'run', f'{demo}/scene', '--out', f'{folder}/piped'], text=True, stdout=subprocess.PIPE,
                                stderr=subprocess.PIPE)
-        expect(piped.stdout.startswith('job') and 'done' in piped.stdout, 'what programs read has changed', piped.stdout)
+        expect(piped.stdout.startswith('state    done'), 'what programs read has changed', piped.stdout)
+        expect(f'page: {folder}/piped/report.html' in piped.stdout, 'the page is not named', piped.stdout)
+        expect('jobs/' not in piped.stdout + piped.stderr, 'a job is named', piped.stdout + piped.stderr)
     print('a terminal shows stages and the result')
 
 

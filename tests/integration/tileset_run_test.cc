@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "common/codec/mesh_file.h"
 #include "common/codec/tiles3d/tileset_tree.h"
 #include "common/codec/tree/tile_tree.h"
 #include "common/util/files.h"
@@ -212,6 +214,44 @@ TEST_F(TilesetRunTest, WaterThatIsNoiseIsTakenOutOfAllLevels) {
   const ReadTree before = Read(folder_ / "scene/tileset.json"), after = Read(folder_ / "out/tileset.json");
   ExpectOriginalsKept(before, after, true);
   ExpectLevelWater(after.tree, report["water"][0]["level_m"], 1e-6);
+}
+
+TEST_F(TilesetRunTest, InspectMeasuresTheTilesetsOfTilesWhereTheyAre) {
+  WriteScene(
+      {.pond = TilesetScene::Pond::kNoise, .files = TilesetScene::Files::kOfTiles, .place = Place::kEarthCentred});
+  const std::string clear = PondPolygon(true, {64, 32});
+  Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--clear", clear});
+  const Ended ended = Tilemend({"inspect", folder_ / "scene", "--clear", clear, "-o", "json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const Json water = Json::parse(ended.out)["water"], of_run = ReportOf(folder_ / "out")["water"];
+  ASSERT_EQ(water.size(), 1U);
+  ASSERT_EQ(of_run.size(), 1U);
+  EXPECT_EQ(water[0]["level_m"], of_run[0]["level_m"]);
+}
+
+TEST_F(TilesetRunTest, CheckTellsPlacesInTheFrameOfTheScene) {
+  WriteScene(
+      {.pond = TilesetScene::Pond::kNoise, .files = TilesetScene::Files::kOfTiles, .place = Place::kEarthCentred});
+  const Ended ended = Tilemend({"check", folder_ / "scene", "--crease-angle", "30", "-o", "json"});
+  const Json places = Json::parse(ended.out)["defects"]["creased_edges"]["at"];
+  EXPECT_FALSE(places.empty());
+  for (const Json& place : places) {
+    EXPECT_LT(std::hypot(place[0].get<double>(), place[1].get<double>()), OsgbScene::kRadius + 2) << "of the pond";
+  }
+}
+
+TEST_F(TilesetRunTest, AggregateJoinsTilesetsOfTilesWhereTheyAre) {
+  WriteScene({.files = TilesetScene::Files::kOfTiles, .place = Place::kEarthCentred});
+  const Ended ended = Tilemend({"aggregate", folder_ / "scene", "--out", folder_ / "joined.ply"});
+  const auto joined = ReadMeshFile(folder_ / "joined.ply");
+  ASSERT_TRUE(joined.ok()) << ended.err << joined.status();
+  double low = 0, high = 0;
+  for (const Point3& p : joined->mesh.points) {
+    low = std::min(low, p.x());
+    high = std::max(high, p.x());
+  }
+  EXPECT_NEAR(low, -OsgbScene::kCell - OsgbScene::kReach, 0.01);
+  EXPECT_NEAR(high, OsgbScene::kCell + OsgbScene::kReach, 0.01);
 }
 
 TEST_F(TilesetRunTest, FillsHaveTheColourOfTheirRim) {

@@ -86,7 +86,7 @@ def image_of(build):
 
 def check_libraries(image):
     """All that the programs load is in the image."""
-    script = 'ldd /usr/bin/tilemend* /usr/lib/tilemend/*.so'
+    script = 'ldd /usr/bin/tilemend* /usr/lib/tilemend/tilemend-gdal'
     listed = run('docker', 'run', '--rm', '--entrypoint', 'sh', image, '-c', script).stdout
     missing = [line.strip() for line in listed.splitlines() if 'not found' in line]
     if missing or 'libssl' not in listed:

@@ -128,6 +128,9 @@ def check_ports(name, container):
     for flag in ('work', 'root', 'tls-ca', 'tls-cert', 'tls-key'):
         if flag in flags:
             check(any(flags[flag].startswith(path) for path in paths), f'{name}: --{flag} {flags[flag]}: not mounted')
+    variables = {v['name']: v['value'] for v in container.get('env', [])}
+    temporary = variables.get('TMPDIR', '/work')  # as docker/Dockerfile
+    check(temporary in paths, f'{name}: TMPDIR {temporary}: not mounted')
 
 
 def flags_of(container):

@@ -19,6 +19,7 @@ BIN, PACKAGE = sys.argv[1:3] if len(sys.argv) > 2 else (None, None)
 sys.path.insert(0, PACKAGE)
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 import tilemend  # noqa: E402
+from tilemend._errors import from_status  # noqa: E402
 from tilemend.v1 import jobs_pb2, jobs_pb2_grpc  # noqa: E402
 
 
@@ -65,19 +66,29 @@ class ClientTest(unittest.TestCase):
             job = client.submit(scene, out, priority=3, gradation=1.5)
             self.assertEqual((job.state, job.scene, job.out, job.priority), ('RUNNING', scene, out, 3))
             self.assertEqual(client.workers(), [])
-            self.assertTrue(client.pause(job).paused)
-            self.assertFalse(client.resume(job).paused)
+            self.assertEqual(client.pause(job).status, 'paused')
+            self.assertEqual(client.resume(job).status, 'running')
+            with self.assertRaisesRegex(TimeoutError, f'{job.name}: is not over yet; it goes on'):
+                client.wait(job, timeout=0.2)
+            with self.assertRaises(tilemend.TimedOut):
+                client.wait(job, timeout=0)
             self.assertEqual(client.prioritize(job, -4).priority, -4)
             cluster.add_worker()
             seen = list(client.watch(job))
             self.assertEqual((seen[-1].state, seen[-1].is_over, seen[-1].report), ('DONE', True, f'{out}/report.json'))
             self.assertEqual(seen[-1].progress.cells, 6)
             self.assertLess(seen[0].created, seen[-1].ended)
-            self.assertEqual(client.wait(job.name.split('/')[1]).state, 'DONE')
+            told = []
+            self.assertEqual(client.wait(job.name.split('/')[1], timeout=60, on_progress=told.append), told[-1])
+            self.assertEqual((told[-1].state, client.wait(job, timeout=0)), ('DONE', told[-1]))
             self.assertEqual(client.get(job), seen[-1])
             self.assertEqual([job.name], [found.name for found in client.jobs(['DONE'])])
-            self.assertEqual(list(client.jobs(['FAILED'])), [])
+            self.assertEqual(client.jobs('FAILED'), [])
             self.assertEqual([(worker.state, worker.tasks) for worker in client.workers()], [('WORKING', 0)])
+            self.assertEqual([worker.status for worker in client.workers()], ['idle'])
+            with self.assertRaisesRegex(FileExistsError, 'give overwrite=True to') as caught:
+                client.retry(job)
+            self.assertEqual((caught.exception.reason, isinstance(caught.exception, tilemend.Conflict)), ('OUTPUT_EXISTS', True))
             again = client.retry(job, overwrite=True)
             self.assertNotEqual(again.name, job.name)
             self.assertEqual(client.wait(again).state, 'DONE')
@@ -113,26 +124,31 @@ class ClientTest(unittest.TestCase):
 
     def check_decisions(self, client, scene, out):
         report = tilemend.read_report(out)
+        self.assertRegex(repr(report), r"^Report\('.*/out/report.json': \d+ holes filled, 0 left, \d+ to review\)$")
         first, second = report.review[:2]
         path = os.path.join(out, '..', 'decisions.geojson')
         report.write_decisions(path, {first['hole']: ('water', 1.25), second['hole']: 'open'})
-        job = client.wait(client.submit(scene, out, gradation=1.5, decisions=pathlib.Path(os.path.relpath(path))))
+        job = client.wait(client.submit(scene, out, gradation=1.5, decisions=os.path.relpath(path)))
         self.assertEqual(job.state, 'DONE')
         report = tilemend.read_report(out)
         decided = {hole['id']: (hole['decision'], hole.get('level_m')) for hole in report.holes if 'decision' in hole}
         self.assertEqual(decided, {**dict.fromkeys(first['holes'], ('water', 1.25)),
                                    **dict.fromkeys(second['holes'], ('open', None))})
         # What was decided before stays, unless it is decided anew or taken back.
-        report.write_decisions(path, {second['hole']: None, report.review[0]['hole']: 'accept'})
+        marks = {second['hole']: None, report.review[0]['hole']: 'accept'}
+        with self.assertRaisesRegex(FileExistsError, 'decisions.geojson: exists already; choose another path, or give over'):
+            report.write_decisions(path, marks)
+        report.write_decisions(path, marks, overwrite=True)
         with open(path, encoding='utf-8') as file:
             rows = [feature['properties'] for feature in json.load(file)['features']]
         self.assertEqual({row['hole']: row['decision'] for row in rows},
                          {**dict.fromkeys(first['holes'], 'water'), **dict.fromkeys(report.review[0]['holes'], 'accept')})
         for bad, text in (({99999: 'open'}, 'the report has no hole 99999'), ({0: 'lake'}, "decisions[0] is 'lake': expected"),
                           ({0: ('water', float('nan'))}, 'with a finite number'), ({0: ('open', 3)}, 'with a finite number'),
+                          ({0: ('water', float('inf'))}, 'with a finite number'), ({0: ('water', True)}, 'with a finite'),
                           ({0: ('water', 'high')}, 'with a finite number'), ({'0': 'open'}, "the report has no hole '0'")):
             with self.assertRaises(tilemend.InvalidInput) as caught:
-                report.write_decisions(path, bad)
+                report.write_decisions(path, bad, overwrite=True)
             self.assertIn(text, str(caught.exception))
 
     def test_errors_have_reasons(self):
@@ -149,22 +165,11 @@ class ClientTest(unittest.TestCase):
             self.assertIn('expected a number from 1 to 10', str(error))
             self.assertEqual(error.metadata, {'field': 'gradation'})
             expect(tilemend.InvalidInput, 'INVALID_SPEC', client.submit, scene, out, gradatoin=2.0)
-            for name, value, expected in (('gradation', 'much', 'str; expected a number'), ('uniform', 1, 'int; expected True or'),
-                                          ('gradation', True, 'bool; expected a number'), ('water', 3, 'int; expected text')):
-                with self.assertRaisesRegex(TypeError, f'{name}: has type {expected}'):
-                    client.submit(scene, out, **{name: value})
-            with self.assertRaisesRegex(TypeError, 'priority'):
-                client.submit(scene, out, priority='high')
-            with self.assertRaisesRegex(tilemend.InvalidInput, 'priority: Value out of range'):
-                client.submit(scene, out, priority=2**40)
-            with self.assertRaisesRegex(TypeError, 'job: has type int; expected a Job or its name'):
-                client.get(3)
             expect(tilemend.NotFound, 'SCENE_NOT_FOUND', client.submit, scene + '/none', out)
-            expect(tilemend.NotFound, 'JOB_NOT_FOUND', client.get, 'none')
+            error = expect(tilemend.NotFound, 'JOB_NOT_FOUND', client.get, 'none')
+            self.assertIn('no such job; `Client.jobs()` shows all', str(error))
             with self.assertRaises(tilemend.NotFound):
                 next(client.watch('none'))
-            with self.assertRaisesRegex(tilemend.InvalidInput, 'expected RUNNING, DONE'):
-                next(client.jobs(['BUSY']))
             job = client.submit(scene, out, request_id='one')
             self.assertEqual(client.submit(scene, out, request_id='one').name, job.name)
             expect(tilemend.Conflict, 'OUTPUT_IN_USE', client.submit, scene, out)
@@ -191,7 +196,7 @@ class ClientTest(unittest.TestCase):
     def test_says_when_nobody_answers(self):
         with tilemend.Client('127.0.0.1:9', timeout=5) as client:
             with self.assertRaisesRegex(tilemend.Unavailable, 'cannot reach the coordinator; is it running'):
-                list(client.jobs())
+                client.jobs()
             with self.assertRaisesRegex(ConnectionError, 'cannot reach'):
                 next(client.watch('none', patience=0.5))
 
@@ -217,7 +222,8 @@ class Coordinator(jobs_pb2_grpc.JobsServicer):
 
     def ListJobs(self, request, context):
         self.callers.append(dict(context.invocation_metadata()).get('authorization'))
-        return jobs_pb2.ListJobsResponse()
+        page = int(request.page_token or 0)
+        return jobs_pb2.ListJobsResponse(jobs=[jobs_pb2.Job(name=f'jobs/{page}')], next_page_token=str(page + 1) * (page < 2))
 
     def CreateJob(self, request, context):
         self.specs.append(request.spec)
@@ -229,6 +235,58 @@ class CallsTest(unittest.TestCase):
         coordinator = Coordinator(self)
         with tilemend.Client(coordinator.address) as client:
             self.assertEqual([job.state for job in client.watch('a', patience=1)], ['RUNNING', 'DONE'])
+        for timeout in (60, 1e10, float('inf')):
+            with tilemend.Client(Coordinator(self).address) as client:
+                self.assertEqual(client.wait('a', timeout=timeout).state, 'DONE')
+
+    def test_a_wait_ends_in_time_while_the_connection_is_lost(self):
+        coordinator = Coordinator(self)
+        with tilemend.Client(coordinator.address) as client:
+            began = time.monotonic()
+            with self.assertRaisesRegex(tilemend.TimedOut, 'jobs/a: is not over yet'):
+                client.wait('a', timeout=0.3)
+            self.assertLess(time.monotonic() - began, 1.4)
+        with tilemend.Client('127.0.0.1:9') as client, self.assertRaises(TimeoutError):
+            client.wait('a', timeout=0.5)
+
+    def test_arguments_are_checked_before_a_call(self):
+        coordinator = Coordinator(self)
+        with tilemend.Client(coordinator.address) as client:
+            for name, value, expected in (('gradation', 'much', 'str; expected a number'), ('uniform', 1, 'int; expected True or'),
+                                          ('gradation', True, 'bool; expected a number'), ('water', 3, 'int; expected text')):
+                with self.assertRaisesRegex(TypeError, f'{name}: has type {expected}'):
+                    client.submit('/scene', '/out', **{name: value})
+            with self.assertRaisesRegex(TypeError, 'priority'):
+                client.submit('/scene', '/out', priority='high')
+            with self.assertRaisesRegex(tilemend.InvalidInput, 'priority: Value out of range'):
+                client.submit('/scene', '/out', priority=2**40)
+            with self.assertRaisesRegex(TypeError, 'job: has type int; expected one Job or its name'):
+                client.get(3)
+            with self.assertRaisesRegex(TypeError, 'has type list; expected one Job or its name .*; call this for each of them'):
+                client.cancel(client.jobs())
+            with self.assertRaisesRegex(tilemend.InvalidInput, 'timeout: -1: expected seconds'):
+                client.wait('a', timeout=-1)
+            with self.assertRaisesRegex(tilemend.InvalidInput, 'expected RUNNING, DONE'):
+                client.jobs(['BUSY'])
+        self.assertEqual(coordinator.specs, [])
+
+    def test_jobs_are_those_of_all_pages(self):
+        coordinator = Coordinator(self)
+        with tilemend.Client(coordinator.address) as client:
+            self.assertEqual([job.name for job in client.jobs()], ['jobs/0', 'jobs/1', 'jobs/2'])
+            jobs = client.iter_jobs()
+            self.assertEqual((len(coordinator.callers), next(jobs).name, len(coordinator.callers)), (3, 'jobs/0', 4))
+
+    def test_options_that_are_paths_are_of_this_folder(self):
+        coordinator = Coordinator(self)
+        with tilemend.Client(coordinator.address) as client:
+            client.submit('/scene', 'out', water='w.geojson', clear=pathlib.Path('c.shp'), area='s3://city/a', cells='0,0')
+            client.submit('/scene', 'out', water='auto', tension='auto', output_format='obj', decisions='')
+        first, second = coordinator.specs
+        self.assertEqual([first.water, first.clear, first.area, first.cells],
+                         [os.path.abspath('w.geojson'), os.path.abspath('c.shp'), 's3://city/a', '0,0'])
+        self.assertEqual([second.water, second.HasField('tension'), second.output_format, second.decisions],
+                         ['auto', False, 'obj', ''])
 
     def test_a_token_may_be_replaced(self):
         coordinator = Coordinator(self)
@@ -238,17 +296,18 @@ class CallsTest(unittest.TestCase):
                 pathlib.Path(path).write_text(word)
                 if word == 'first':
                     client = tilemend.Client(coordinator.address, token_file=path)
-                list(client.jobs())
-        list(client.jobs())  # the file is gone
+                client.jobs()
+        client.jobs()  # the file is gone
         client.close()
-        self.assertEqual(coordinator.callers, ['Bearer first', 'Bearer second', 'Bearer second'])
+        self.assertEqual(coordinator.callers, [f'Bearer {word}' for word in ('first', 'second', 'second') for _ in range(3)])
 
     def test_a_closed_client_says_so(self):
         client = tilemend.Client('127.0.0.1:9')
         client.close()
-        for call in (client.jobs, lambda: client.watch('a')):
+        for call in (client.jobs, client.workers, lambda: next(client.watch('a'))):
             with self.assertRaisesRegex(tilemend.InvalidInput, 'the client is closed'):
-                list(call())
+                call()
+        self.assertEqual(repr(client), 'Client(127.0.0.1:9, plain text, closed)')
 
     def test_paths_in_s3_stay(self):
         coordinator = Coordinator(self)
@@ -262,6 +321,20 @@ class CallsTest(unittest.TestCase):
         self.assertEqual((coordinator.specs[1].out, coordinator.specs[1].dry_run), ('', True))
         self.assertEqual(coordinator.specs[0].scene, 's3://city/tiles')
         self.assertEqual(coordinator.specs[0].out, os.path.abspath('out'))
+
+
+class ErrorTextTest(unittest.TestCase):
+    def test_flags_of_options_become_keywords(self):
+        for text, expected in (
+                ('choose another --out, give --overwrite', 'choose another out, give overwrite=True'),
+                ('or --decisions FILE to do', 'or decisions=FILE to do'),
+                ('--output-format 3dtiles is not possible', 'output_format 3dtiles is not possible'),
+                ('--area FILE says it (tilemend inspect --propose-area FILE draws one)',
+                 'area=FILE says it (tilemend inspect --propose-area FILE draws one)'),
+                ('`tilemend fill --weld TOLERANCE` closes it', '`tilemend fill --weld TOLERANCE` closes it'),
+                ('needs --tls-ca; it is paused; `tilemend resume` helps', 'needs --tls-ca; it is paused; `Client.resume()` helps'),
+                ('/data/a--out/--overwrite: no such file', '/data/a--out/--overwrite: no such file')):
+            self.assertEqual(str(from_status(3, text, '')), expected)
 
 
 class SecurityTest(unittest.TestCase):
@@ -294,12 +367,12 @@ class SecurityTest(unittest.TestCase):
         cluster = Cluster(self, *flags)
         address = 'localhost:' + cluster.address.rsplit(':', 1)[1]
         with tilemend.Client(address, ca=path('ca.pem'), cert=path('watch.pem'), key=path('watch.key')) as client:
-            self.assertEqual(list(client.jobs()), [])
+            self.assertEqual(client.jobs(), [])
             with self.assertRaises(tilemend.NotAllowed) as caught:
                 client.submit(cluster.scene(), os.path.join(cluster.folder, 'out'))
             self.assertEqual(caught.exception.reason, 'ROLE_NEEDED')
         with tilemend.Client(address, timeout=5) as client, self.assertRaises(tilemend.Unavailable):
-            list(client.jobs())
+            client.jobs()
         self.check_tokens(folder, path)
 
     def check_tokens(self, folder, path):
@@ -310,34 +383,11 @@ class SecurityTest(unittest.TestCase):
         cluster = Cluster(self, '--tls-cert', path('coordinator.pem'), '--tls-key', path('coordinator.key'), '--tokens', tokens)
         address = 'localhost:' + cluster.address.rsplit(':', 1)[1]
         with tilemend.Client(address, ca=path('ca.pem'), token='word') as client:
-            self.assertEqual(list(client.jobs()), [])
+            self.assertEqual(client.jobs(), [])
         with tilemend.Client(address, ca=path('ca.pem'), token='other') as client:
             with self.assertRaises(tilemend.NotAllowed) as caught:
-                list(client.jobs())
+                client.jobs()
             self.assertEqual(caught.exception.reason, 'UNAUTHENTICATED')
-
-
-class ReportTest(unittest.TestCase):
-    def test_bad_files_are_refused_by_name(self):
-        with tempfile.TemporaryDirectory() as folder:
-            with self.assertRaisesRegex(tilemend.NotFound, 'report.json: no such file'):
-                tilemend.read_report(folder)
-            path = os.path.join(folder, 'report.json')
-            empty = dict.fromkeys(('per_hole', 'left', 'warnings', 'water', 'look_at'), [])
-            for text, fault in ((b'{', 'is not JSON'), (b'\xff', 'is not JSON'), (b'[]', 'expected an object, found list'),
-                                (b'[' * 100000, 'is not JSON'), (b'{"per_hole": 3}', 'it has no list "per_hole"'),
-                                (json.dumps({'per_hole': []}).encode(), 'it has no list "left"'),
-                                (json.dumps(dict(empty, review={})).encode(), 'it has no list "review"')):
-                with open(path, 'wb') as file:
-                    file.write(text)
-                with self.assertRaisesRegex(tilemend.InvalidInput, fault):
-                    tilemend.read_report(path)
-            with open(path, 'w', encoding='utf-8') as file:
-                json.dump(empty, file)
-            report = tilemend.read_report(path)
-            self.assertEqual((report.review, report.levels, report.cleared), ([], [], {}))
-            with self.assertRaisesRegex(tilemend.NotFound, 'holes.geojson: no such file'):
-                report.write_decisions(os.path.join(folder, 'd.geojson'), {})
 
 
 if __name__ == '__main__':

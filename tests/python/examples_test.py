@@ -19,6 +19,14 @@ def run(name, *arguments):
     return done.stdout
 
 
+def check_usage(name):
+    """Without arguments an example says how it is called."""
+    done = subprocess.run([sys.executable, os.path.join(EXAMPLES, name)], text=True, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, env=dict(os.environ, PYTHONPATH=PACKAGE), timeout=300)
+    if done.returncode != 2 or not done.stderr.startswith(f'Usage: {name} ') or done.stderr.count('\n') != 1:
+        raise SystemExit(f'FAILED: {name} without arguments ends with {done.returncode}\n{done.stderr}')
+
+
 def expect(text, part, of):
     if part not in text:
         raise SystemExit(f'FAILED: {of} does not print {part!r}:\n{text}')
@@ -44,6 +52,7 @@ def fill_file(folder):
     with open(mesh, 'wb') as file:
         file.write(ply_bytes(vertices, faces))
     run('fill_file.py', mesh, out)
+    check_usage('fill_file.py')
     lines = subprocess.run([f'{BIN}/tilemend', 'inspect', out], text=True, stdout=subprocess.PIPE, check=True).stdout
     expect(lines, 'holes: 0 closed', 'tilemend inspect of what fill_file.py wrote')
 
@@ -67,6 +76,7 @@ def main():
         expect(run('fill_arrays.py'), 'filled', 'fill_arrays.py')
         fill_file(folder)
         fill_scene(folder)
+        check_usage('fill_scene.py')
     finally:
         shutil.rmtree(folder)
     print('all examples of Python ran')

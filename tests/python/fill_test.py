@@ -119,6 +119,26 @@ class FillTest(unittest.TestCase):
                     self.assertEqual(filled.vertices.tobytes(), expected.vertices.tobytes())
                     self.assertEqual(filled.faces.tobytes(), expected.faces.tobytes())
 
+    def test_integers_become_double_precision(self):
+        vertices, faces = plane(side=6, first=2, last=4)
+        whole = np.round(10 * vertices) + 0.0  # integers have no -0
+        expected = tilemend.fill(whole, faces)
+        for points in (whole.astype(np.int32), whole.astype('>i8'), whole.astype(np.int8), whole.astype(int).tolist()):
+            filled = tilemend.fill(points, faces)
+            self.assertEqual((filled.vertices.dtype, filled.vertices.tobytes()), (np.float64, expected.vertices.tobytes()))
+
+    def test_tells_in_one_line_what_it_is(self):
+        self.assertRegex(repr(tilemend.fill(*sphere())), r'^Filled\(1124 vertices, 2178 faces, 66 new, 1 hole filled, 0 left\)$')
+        vertices, faces = sphere()
+        filled = tilemend.fill(vertices + 5e6, faces, filler='advancing-front-normal', longest_rim=5)
+        self.assertRegex(repr(filled), r'^Filled\(.*, 0 new, 0 holes filled, 1 left\)$')
+
+    def test_holes_that_are_longer_than_chosen_are_told_as_left(self):
+        filled = tilemend.fill(*sphere(), largest_hole=5)
+        self.assertEqual(filled.left, [{'reason': 'longer than largest_hole=5', 'count': 1, 'open_edges': 32}])
+        self.assertIn('0 holes filled, 1 left)', repr(filled))
+        self.assertEqual(tilemend.fill(*sphere(), largest_hole=50).left, [])
+
     def test_single_precision_far_from_the_origin_is_told(self):
         vertices, faces = sphere()
         far = vertices + [500000.0, 5000000.0, 0.0]
@@ -145,7 +165,7 @@ class ErrorTest(unittest.TestCase):
         return caught.exception
 
     def test_says_which_array_and_what_was_expected(self):
-        self.expect(TypeError, 'vertices: has dtype int64; expected float32 or float64', self.vertices.astype(np.int64))
+        self.expect(TypeError, 'vertices: has dtype bool; expected float32, float64 or integers', self.vertices.astype(bool))
         self.expect(TypeError, 'vertices: has dtype float16', self.vertices.astype(np.float16))
         self.expect(TypeError, 'vertices: has dtype complex128', self.vertices.astype(complex))
         self.expect(TypeError, 'faces: has dtype float64; expected integers', faces=self.faces.astype(float))
@@ -347,6 +367,12 @@ class AdapterTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, 'mesh.cells: has quad; expected triangles'):
             tilemend.fill_mesh(meshio.Mesh(self.vertices, [('quad', [[0, 1, 2, 3]])]))
 
+    def test_facts_come_beside_the_mesh(self):
+        meshio = need(self, 'meshio')
+        mesh, facts = tilemend.fill_mesh(meshio.Mesh(self.vertices, [('triangle', self.faces)]), return_filled=True,
+                                         largest_hole=5)
+        self.assertEqual((len(mesh.points), facts.left[0]['count']), (len(self.vertices), 1))
+
     def test_meshio_of_a_class_of_the_users(self):
         meshio = need(self, 'meshio')
 
@@ -379,6 +405,7 @@ class AdapterTest(unittest.TestCase):
         need(self, 'pandas')
         table = self.expected.holes_table()
         self.assertEqual(list(table['outcome']), ['filled'])
+        self.assertEqual(list(table)[:5], ['column', 'row', 'x', 'y', 'z'])
         self.assertEqual(table.loc[0, 'area_m2'], self.expected.holes[0]['area_m2'])
         without = tilemend.fill(*sphere(hole=0)).holes_table()
         self.assertEqual((len(without), without['area_m2'].sum()), (0, 0))

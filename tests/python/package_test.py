@@ -77,7 +77,7 @@ def wheel(folder):
         names = archive.namelist()
         check_requirements(archive.read(next(name for name in names if name.endswith('/METADATA'))).decode())
         archive.extractall(os.path.join(folder, 'wheel'))
-    for name in ('tilemend/py.typed', 'tilemend/_tilemend.pyi', 'tilemend/v1/jobs_pb2_grpc.py'):
+    for name in ('tilemend/py.typed', 'tilemend/_tilemend.pyi', 'tilemend/_fill.pyi', 'tilemend/v1/jobs_pb2_grpc.py'):
         expect(name in names, f'the wheel has no {name}')
     return fill_with(os.path.join(folder, 'wheel'))
 

@@ -1,8 +1,11 @@
 #include "worker/delivery/delivery_tile.h"
 
+#include <algorithm>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -41,34 +44,51 @@ class SurfaceBuilder {
 
 class TreeDelivery {
  public:
-  TreeDelivery(const TileTree& tile, DeliveryLevels levels) : tile_(tile), levels_(levels) {}
+  TreeDelivery(const TileTree& tile, DeliveryLevels levels, std::span<const int32_t> new_geometries)
+      : tile_(tile), levels_(levels), new_geometries_(new_geometries) {}
 
   DeliveryTile Make() {
     for (int32_t p = 0; p < std::ssize(tile_.pieces); ++p) {
       const TreePiece& piece = tile_.pieces[static_cast<size_t>(p)];
       const bool is_wanted = levels_ == DeliveryLevels::kAll || piece.is_finest;
       numbers_.push_back(is_wanted ? static_cast<int32_t>(result_.pieces.size()) : -1);
-      if (is_wanted) Add(piece);
+      if (is_wanted) Add(piece, FirstNew(p));
     }
     return std::move(result_);
   }
 
  private:
-  void Add(const TreePiece& piece) {
+  // The lowest TreeGeometry::order of new geometry in a piece.
+  int64_t FirstNew(int32_t p) const {
+    constexpr int64_t kNone = std::numeric_limits<int64_t>::max();
+    const size_t count = new_geometries_.empty() ? 0 : static_cast<size_t>(new_geometries_[static_cast<size_t>(p)]);
+    if (count == 0) return kNone;
+    const TreePiece& piece = tile_.pieces[static_cast<size_t>(p)];
+    std::vector<int64_t> orders;
+    for (const TreeGeometry& geometry : tile_.files[static_cast<size_t>(piece.file)].geometries) {
+      if (geometry.part == piece.part) orders.push_back(geometry.order);
+    }
+    if (orders.size() < count) return kNone;
+    std::ranges::sort(orders);
+    return orders[orders.size() - count];
+  }
+
+  void Add(const TreePiece& piece, int64_t first_new) {
     DeliveryPiece made;
     if (levels_ == DeliveryLevels::kAll) {
       made.parent = piece.parent < 0 ? -1 : numbers_[static_cast<size_t>(piece.parent)];
       made.geometric_error = piece.geometric_error;
     }
-    std::map<std::pair<int32_t, uint32_t>, size_t> surfaces;  // by image and colour
+    std::map<std::tuple<int32_t, uint32_t, bool>, size_t> surfaces;  // by image, colour, and whether it is new
     const TreeFile& file = tile_.files[static_cast<size_t>(piece.file)];
     for (const TreeGeometry& geometry : file.geometries) {
       if (geometry.part != piece.part || geometry.triangle_count == 0) continue;
       const int32_t image = geometry.texture < 0 ? -1 : ImageOf(piece.file, geometry.texture);
       const Rgb& c = geometry.colour;
       const uint32_t colour = image < 0 ? uint32_t{c.r} << 16 | uint32_t{c.g} << 8 | c.b : 0;
-      const auto [at, is_new] = surfaces.try_emplace({image, colour}, made.surfaces.size());
-      if (is_new) made.surfaces.push_back({{}, {}, image, c});
+      const bool is_filled = geometry.order >= first_new;
+      const auto [at, is_new] = surfaces.try_emplace({image, colour, is_filled}, made.surfaces.size());
+      if (is_new) made.surfaces.push_back({{}, {}, image, c, {}, is_filled});
       Append(file, geometry, made.surfaces[at->second]);
     }
     result_.pieces.push_back(std::move(made));
@@ -105,6 +125,7 @@ class TreeDelivery {
 
   const TileTree& tile_;
   const DeliveryLevels levels_;
+  const std::span<const int32_t> new_geometries_;  // by piece; empty: there are none
   DeliveryTile result_;
   std::vector<int32_t> numbers_;  // of each piece in the result
   std::map<std::pair<int32_t, int32_t>, int32_t> images_;
@@ -136,21 +157,53 @@ absl::StatusOr<std::string> ReadImage(const ObjBeside& beside, const std::string
   return "";
 }
 
-DeliverySurface SurfaceOf(const TexturedSurface& all, const TexturedSurface::Group& group, int32_t image) {
-  DeliverySurface surface{{}, {}, image, group.colour.value_or(kPlain)};
+// What an OBJ tile has beside its materials.
+struct ObjMarks {
+  std::vector<bool> is_filled;                // of each triangle
+  std::vector<std::optional<Rgb>> of_vertex;  // colours; empty: there are none
+};
+
+ObjMarks MarksOf(const ObjFile& obj) {
+  ObjMarks marks{std::vector<bool>(obj.file.mesh.triangles.size()), obj.textures.vertex_colours};
+  const std::vector<ObjTextures::GroupRun>& groups = obj.textures.groups;
+  for (size_t g = 0; g < groups.size(); ++g) {
+    const size_t end = g + 1 < groups.size() ? static_cast<size_t>(groups[g + 1].first) : marks.is_filled.size();
+    for (auto t = static_cast<size_t>(groups[g].first); t < end; ++t) marks.is_filled[t] = groups[g].is_filled;
+  }
+  return marks;
+}
+
+Rgb MeanOf(const std::vector<Rgb>& colours) {
+  std::array<size_t, 3> sum{};
+  for (const Rgb& c : colours) sum = {sum[0] + c.r, sum[1] + c.g, sum[2] + c.b};
+  const auto mean = [&](size_t k) { return static_cast<uint8_t>((sum[k] + colours.size() / 2) / colours.size()); };
+  return {mean(0), mean(1), mean(2)};
+}
+
+// The triangles of the group that are filled, or the others.
+DeliverySurface SurfaceOf(const TexturedSurface& all, const TexturedSurface::Group& group, int32_t image,
+                          const ObjMarks& marks, bool is_filled) {
+  DeliverySurface surface{{}, {}, image, group.colour.value_or(kPlain), {}, is_filled};
+  const bool has_own = image < 0 && !group.colour && group.image.empty() && !marks.of_vertex.empty();
   SurfaceBuilder builder(surface);
   for (const int32_t t : group.triangles) {
+    if (marks.is_filled[static_cast<size_t>(t)] != is_filled) continue;
     Triangle corners = all.mesh.triangles[static_cast<size_t>(t)];
     for (size_t k = 0; k < 3; ++k) {
       const int32_t place = image < 0 ? -1 : all.corners[static_cast<size_t>(t)][k];
       const std::array<float, 2> uv = image < 0 ? std::array<float, 2>{} : all.coordinates[static_cast<size_t>(place)];
       const auto v = static_cast<size_t>(corners[k]);
       corners[k] = builder.VertexOf({corners[k], place}, all.mesh.points[v], uv);
+      const bool is_new = has_own && surface.colours.size() < surface.mesh.points.size();
+      if (is_new) surface.colours.push_back(marks.of_vertex[v].value_or(kPlain));
     }
     surface.mesh.triangles.push_back(corners);
   }
+  if (!surface.colours.empty()) surface.colour = MeanOf(surface.colours);
   return surface;
 }
+
+bool IsUnderMaterial(const DeliverySurface& surface) { return !surface.is_filled && surface.colours.empty(); }
 
 }  // namespace
 
@@ -162,11 +215,14 @@ std::string_view ImageEnding(std::string_view image) {
   return "";
 }
 
-DeliveryTile DeliveryOfTree(const TileTree& tile, DeliveryLevels levels) { return TreeDelivery(tile, levels).Make(); }
+DeliveryTile DeliveryOfTree(const TileTree& tile, DeliveryLevels levels, std::span<const int32_t> new_geometries) {
+  return TreeDelivery(tile, levels, new_geometries).Make();
+}
 
 absl::StatusOr<DeliveryTile> DeliveryOfObj(std::string_view bytes, const ObjBeside& beside) {
   TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, beside.path, NoFaces::kAccept));
   TILEMEND_ASSIGN_OR_RETURN(const TileLook look, LookWith(beside, obj.textures));
+  const ObjMarks marks = MarksOf(obj);
   const TexturedSurface surface = TexturedSurfaceOf(std::move(obj), look);
   DeliveryTile tile;
   DeliveryPiece piece;
@@ -179,7 +235,13 @@ absl::StatusOr<DeliveryTile> DeliveryOfObj(std::string_view bytes, const ObjBesi
         tile.images.push_back(std::move(read));
       }
     }
-    piece.surfaces.push_back(SurfaceOf(surface, group, image));
+    for (const bool is_filled : {false, true}) {
+      DeliverySurface made = SurfaceOf(surface, group, image, marks, is_filled);
+      if (!made.mesh.triangles.empty()) piece.surfaces.push_back(std::move(made));
+    }
+  }
+  if (!marks.of_vertex.empty() && std::ranges::any_of(piece.surfaces, IsUnderMaterial)) {
+    tile.warnings.emplace_back("colours of vertices are not written where faces have a material");
   }
   tile.pieces.push_back(std::move(piece));
   return tile;
@@ -203,11 +265,24 @@ void KeepJpegAndPng(DeliveryTile& tile) {
   }
 }
 
+void DropVertexColours(DeliveryTile& tile) {
+  bool any = false;
+  for (DeliveryPiece& piece : tile.pieces) {
+    for (DeliverySurface& surface : piece.surfaces) {
+      any = any || !surface.colours.empty();
+      surface.colours.clear();
+    }
+  }
+  if (any) {
+    tile.warnings.emplace_back("colours of vertices are not written in this format; their faces have one colour");
+  }
+}
+
 DeliveryTile DeliveryOfColours(const TriMesh& mesh, std::span<const ColourRun> runs) {
   DeliveryTile tile;
   DeliveryPiece& piece = tile.pieces.emplace_back();
   for (size_t r = 0; r < runs.size(); ++r) {
-    DeliverySurface surface{{}, {}, -1, runs[r].colour};
+    DeliverySurface surface{{}, {}, -1, runs[r].colour, {}, true};
     SurfaceBuilder builder(surface);
     const size_t end = r + 1 < runs.size() ? static_cast<size_t>(runs[r + 1].first) : mesh.triangles.size();
     for (auto t = static_cast<size_t>(runs[r].first); t < end; ++t) {

@@ -17,12 +17,14 @@
 
 namespace tilemend {
 
-// Triangles with one image, or with one colour.
+// Triangles with one image, with one colour, or with colours at their vertices.
 struct DeliverySurface {
   TriMesh mesh;                          // metres, frame of the scene
   std::vector<std::array<float, 2>> uv;  // one per point if there is an image, else empty; v up
   int32_t image = -1;                    // into DeliveryTile::images
-  Rgb colour;                            // without an image
+  Rgb colour;                            // without an image; the mean of `colours`
+  std::vector<Rgb> colours = {};         // one per point if vertices have their own, else empty
+  bool is_filled = false;                // new surface
 };
 
 // What a viewer loads and replaces at once.
@@ -41,8 +43,9 @@ struct DeliveryTile {
 enum class DeliveryLevels { kAll, kFinest };
 
 // The pieces of a tree; with kFinest those that nothing replaces. Images that are no encoded images in their files are
-// left out with a warning: their triangles are white. Linear.
-DeliveryTile DeliveryOfTree(const TileTree& tile, DeliveryLevels levels);
+// left out with a warning: their triangles are white. `new_geometries`: as of PatchedTree; empty: none is filled.
+// Linear.
+DeliveryTile DeliveryOfTree(const TileTree& tile, DeliveryLevels levels, std::span<const int32_t> new_geometries = {});
 
 // What an OBJ tile has beside its own file.
 struct ObjBeside {
@@ -53,7 +56,8 @@ struct ObjBeside {
 };
 
 // One piece of an OBJ tile with these bytes. Material files and images are read from the scene's folder; those that are
-// missing give a warning. Errors of ParseTexturedObj. O(n log n).
+// missing give a warning. Where no material is in force, vertices keep their colours. Faces of the group
+// tilemend_filled are filled. Errors of ParseTexturedObj. O(n log n).
 absl::StatusOr<DeliveryTile> DeliveryOfObj(std::string_view bytes, const ObjBeside& beside);
 
 // Triangles from `first` to the next run's have this colour.
@@ -62,12 +66,15 @@ struct ColourRun {
   Rgb colour;
 };
 
-// One piece of new surface. Precondition: `runs` begin with triangle 0. Linear.
+// One piece of filled surface. Precondition: `runs` begin with triangle 0. Linear.
 DeliveryTile DeliveryOfColours(const TriMesh& mesh, std::span<const ColourRun> runs);
 
 // Takes out images of other formats, WebP and KTX2, which glTF without extensions and readers of OSGB do not know:
 // their surfaces get one colour, with a warning.
 void KeepJpegAndPng(DeliveryTile& tile);
+
+// Takes out the colours of vertices, with a warning: their surfaces get one colour.
+void DropVertexColours(DeliveryTile& tile);
 
 // The ending of the name of an image file by its first bytes: "jpg", "png", "webp", "ktx2"; empty: unknown.
 std::string_view ImageEnding(std::string_view image);

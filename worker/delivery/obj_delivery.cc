@@ -6,6 +6,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "common/codec/obj.h"
 
 namespace tilemend {
 namespace {
@@ -29,9 +30,8 @@ class ObjMaker {
 
   std::vector<DeliveryFile> Make() {
     obj_ = absl::StrCat("mtllib ", stem_, ".mtl\n");
-    for (const DeliveryPiece& piece : tile_.pieces) {
-      for (const DeliverySurface& surface : piece.surfaces) AddSurface(surface);
-    }
+    AddSurfaces(false);
+    AddSurfaces(true);
     std::vector<DeliveryFile> files = {{stem_ + ".obj", std::move(obj_)}, {stem_ + ".mtl", std::move(mtl_)}};
     for (size_t i = 0; i < tile_.images.size(); ++i) {
       files.push_back({ImageName(static_cast<int32_t>(i)), tile_.images[i]});
@@ -51,6 +51,18 @@ class ObjMaker {
     } else {
       absl::StrAppendFormat(&mtl_, "newmtl %s\nKd %.6f %.6f %.6f\n", name, surface.colour.r / 255.0,
                             surface.colour.g / 255.0, surface.colour.b / 255.0);
+    }
+  }
+
+  // Those that are filled, as a group, or the others.
+  void AddSurfaces(bool are_filled) {
+    bool is_first = are_filled;
+    for (const DeliveryPiece& piece : tile_.pieces) {
+      for (const DeliverySurface& surface : piece.surfaces) {
+        if (surface.is_filled != are_filled) continue;
+        if (std::exchange(is_first, false)) absl::StrAppend(&obj_, "g ", std::string(kFilledGroup), "\n");
+        AddSurface(surface);
+      }
     }
   }
 

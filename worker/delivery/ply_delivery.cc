@@ -1,5 +1,6 @@
 #include "worker/delivery/ply_delivery.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -7,6 +8,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "common/codec/ply_header.h"
 #include "common/image/image.h"
 #include "common/util/status_macros.h"
 
@@ -26,10 +28,16 @@ absl::StatusOr<std::string> PlainJpeg(const Rgb& colour) {
   return EncodeJpeg(image, kQuality);
 }
 
+bool IsAnyFilled(const DeliveryTile& tile) {
+  return std::ranges::any_of(tile.pieces, [](const DeliveryPiece& piece) {
+    return std::ranges::any_of(piece.surfaces, &DeliverySurface::is_filled);
+  });
+}
+
 class PlyMaker {
  public:
   PlyMaker(const DeliveryTile& tile, const std::string& stem)
-      : tile_(tile), stem_(stem), has_images_(!tile.images.empty()) {}
+      : tile_(tile), stem_(stem), has_images_(!tile.images.empty()), has_marks_(IsAnyFilled(tile)) {}
 
   absl::StatusOr<std::vector<DeliveryFile>> Make() {
     files_.push_back({stem_ + ".ply", ""});
@@ -68,12 +76,16 @@ class PlyMaker {
   void AddFace(const DeliverySurface& surface, const Triangle& triangle, int32_t image) {
     faces_ += '\3';
     for (const int32_t corner : triangle) {
-      AppendNumber(VertexOf(surface.mesh.points[static_cast<size_t>(corner)], surface.colour), faces_);
+      const auto v = static_cast<size_t>(corner);
+      const Rgb& colour = surface.colours.empty() ? surface.colour : surface.colours[v];
+      AppendNumber(VertexOf(surface.mesh.points[v], colour), faces_);
     }
-    if (image < 0) {
-      ++face_count_;
-      return;
-    }
+    if (image >= 0) AddPlaces(surface, triangle, image);
+    if (has_marks_) faces_ += surface.is_filled ? '\1' : '\0';
+    ++face_count_;
+  }
+
+  void AddPlaces(const DeliverySurface& surface, const Triangle& triangle, int32_t image) {
     constexpr std::array<float, 2> kMiddle = {0.5F, 0.5F};
     faces_ += '\6';
     for (const int32_t corner : triangle) {
@@ -82,7 +94,6 @@ class PlyMaker {
       }
     }
     AppendNumber(image, faces_);
-    ++face_count_;
   }
 
   int32_t VertexOf(const Point3& point, const Rgb& colour) {
@@ -110,6 +121,7 @@ class PlyMaker {
     if (!has_images_) text += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
     absl::StrAppend(&text, "element face ", face_count_, "\nproperty list uchar int vertex_indices\n");
     if (has_images_) text += "property list uchar float texcoord\nproperty int texnumber\n";
+    if (has_marks_) absl::StrAppend(&text, "property uchar ", std::string(kFilledProperty), "\n");
     return text + "end_header\n";
   }
 
@@ -134,7 +146,7 @@ class PlyMaker {
 
   const DeliveryTile& tile_;
   const std::string& stem_;
-  const bool has_images_;
+  const bool has_images_, has_marks_;
   std::vector<DeliveryFile> files_;
   std::map<uint32_t, int32_t> plain_;  // images of one colour
   std::map<VertexKey, int32_t> numbers_;

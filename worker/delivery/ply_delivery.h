@@ -16,8 +16,8 @@ namespace tilemend {
 //
 // A tile with images has them as MeshLab does: "comment TextureFile NAME", and for each face the image's number
 // (texnumber) and the places of its corners (texcoord). Its faces of one colour get an image of that colour. In a tile
-// without images, vertices have the colours, so that one at the border of two colours is written for each. Errors of
-// EncodeJpeg. O(n log n).
+// without images, vertices have the colours, so that one at the border of two colours is written for each. If there
+// is filled surface, faces have the property tilemend_filled. Errors of EncodeJpeg. O(n log n).
 absl::StatusOr<std::vector<DeliveryFile>> PlyFilesOf(const DeliveryTile& tile, const std::string& stem);
 
 }  // namespace tilemend

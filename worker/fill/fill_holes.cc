@@ -25,9 +25,9 @@ namespace tilemend {
 namespace {
 
 // No triangle closes what such a hole leaves.
-constexpr char kJunction[] =
-    "a vertex of its boundary lies on an edge of the other side (a T-junction); `tilemend fill --weld TOLERANCE` "
-    "splits such edges";
+constexpr char kJunction[] = "a vertex of its boundary lies on an edge of the other side (a T-junction)";
+constexpr char kWeld[] = "; `tilemend fill --weld TOLERANCE` splits such edges";  // of single meshes
+constexpr char kRepair[] = "; repair the mesh there";                             // of scenes, which are not welded
 
 // Mean turn at the rim of a patch that goes on from its surroundings.
 constexpr double kLittleTurn_rad = 5.0 * std::numbers::pi / 180;
@@ -248,7 +248,9 @@ class HoleFiller {
 
   HolePatch Failed(FillFailure failure) const {
     HolePatch patch;
-    patch.failure = !hole_.open && HasJunction(hole_) ? kJunction : TextOf(failure, hole_.segments.size());
+    patch.failure = TextOf(failure, hole_.segments.size());
+    if (hole_.open || !HasJunction(hole_)) return patch;
+    patch.failure = std::string(kJunction) + (hole_.cell->upright ? kRepair : kWeld);
     return patch;
   }
 

@@ -56,20 +56,25 @@ absl::Status SampleImage(const std::string& root, const std::string& path, const
 }  // namespace
 
 absl::StatusOr<RimColours> SampleRim(const std::string& root, const TileLook& look, const ObjTextures& textures,
-                                     const std::vector<RimSpot>& spots, size_t vertices) {
+                                     const std::vector<RimSpot>& spots, const std::vector<BoundaryVertex>& vertices) {
   RimColours result;
-  if (look.materials.empty()) return result;
-  result.colours.resize(vertices);
+  if (look.materials.empty() && textures.vertex_colours.empty()) return result;
+  result.colours.resize(vertices.size());
   const std::vector<const TileMaterial*> materials = MaterialsOf(look, textures);
   std::map<std::string, std::vector<Texel>> texels;  // by image
   for (const RimSpot& spot : spots) {
     const auto run = std::upper_bound(textures.runs.begin(), textures.runs.end(), spot.triangle,
                                       [](int32_t t, const ObjTextures::Run& r) { return t < r.first; });
-    if (run == textures.runs.begin()) continue;
-    const TileMaterial* const material = materials[static_cast<size_t>(run - textures.runs.begin() - 1)];
-    if (material == nullptr) continue;
+    const TileMaterial* const material =
+        run == textures.runs.begin() ? nullptr : materials[static_cast<size_t>(run - textures.runs.begin() - 1)];
+    const auto vertex = static_cast<size_t>(spot.vertex);
+    if (material == nullptr) {
+      if (textures.vertex_colours.empty()) continue;
+      result.colours[vertex] = textures.vertex_colours[static_cast<size_t>(vertices[vertex].index)];
+      continue;
+    }
     if (material->image.empty()) {
-      result.colours[static_cast<size_t>(spot.vertex)] = material->diffuse;
+      result.colours[vertex] = material->diffuse;
       continue;
     }
     const std::array<double, 2> uv = CoordinatesAt(textures, spot);

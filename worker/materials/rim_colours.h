@@ -8,6 +8,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/codec/obj.h"
+#include "common/records/survey_record.h"
 #include "common/util/colour.h"
 #include "worker/materials/tile_look.h"
 #include "worker/survey/rim_spots.h"
@@ -20,11 +21,11 @@ struct RimColours {
   std::vector<FileWitness::Read> reads;     // the images
 };
 
-// The texels at the spots, or the diffuse colour of a material without an image. `vertices`: how many boundary vertices
-// there are. Reads only the images that lie at a spot, and holds one at a time. Errors of an object store
-// (IsStoreError).
+// The texels at the spots, or the diffuse colour of a material without an image. Where no material is in force, the
+// colours of the boundary vertices `vertices` themselves, if the file has any. Reads only the images that lie at a
+// spot, and holds one at a time. Errors of an object store (IsStoreError).
 absl::StatusOr<RimColours> SampleRim(const std::string& root, const TileLook& look, const ObjTextures& textures,
-                                     const std::vector<RimSpot>& spots, size_t vertices);
+                                     const std::vector<RimSpot>& spots, const std::vector<BoundaryVertex>& vertices);
 
 }  // namespace tilemend
 

@@ -24,15 +24,15 @@ SurveyRecord SurveyOf(const MeshFile& file, const SurveyChoice& choice) {
   return record;
 }
 
-absl::StatusOr<LookSurvey> SurveyTexturedObj(const std::string& root, const std::string& path, std::string_view bytes,
-                                             const std::string& name, const SurveyChoice& choice) {
+absl::StatusOr<LookSurvey> SurveyObj(const std::string& root, const std::string& path, std::string_view bytes,
+                                     const std::string& name, const SurveyChoice& choice) {
   TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name, choice.no_faces));
   LookSurvey survey{SurveyOf(obj.file, choice), {}, {}};
   TILEMEND_ASSIGN_OR_RETURN(TileLook look, ReadObjLook(root, path, obj.textures));
-  const std::vector<RimSpot> spots = RimSpots(obj.file.mesh, survey.record);
+  std::vector<RimSpot> spots;
+  if (!look.materials.empty() || !obj.textures.vertex_colours.empty()) spots = RimSpots(obj.file.mesh, survey.record);
   obj.file = {};  // images need room
-  TILEMEND_ASSIGN_OR_RETURN(RimColours sampled,
-                            SampleRim(root, look, obj.textures, spots, survey.record.vertices.size()));
+  TILEMEND_ASSIGN_OR_RETURN(RimColours sampled, SampleRim(root, look, obj.textures, spots, survey.record.vertices));
   survey.record.colours = std::move(sampled.colours);
   survey.files = std::move(look.files);
   survey.witness = std::move(look.witness);
@@ -50,14 +50,23 @@ absl::StatusOr<LookSurvey> SurveyPly(const std::string& root, const std::string&
   for (const BoundaryVertex& v : survey.record.vertices) vertices.push_back(v.index);
   TILEMEND_ASSIGN_OR_RETURN(const std::vector<Rgb> colours, PlyVertexColours(bytes, vertices, name));
   survey.record.colours.assign(colours.begin(), colours.end());
+  if (!colours.empty()) return survey;
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<Rgb> of_triangles, PlyFaceColours(bytes, name));
+  if (of_triangles.empty()) return survey;
+  survey.record.colours.resize(survey.record.vertices.size());
+  for (const RimSpot& spot : RimSpots(file.mesh, survey.record)) {
+    survey.record.colours[static_cast<size_t>(spot.vertex)] = of_triangles[static_cast<size_t>(spot.triangle)];
+  }
   return survey;
 }
 
 std::string MissingText(const std::string& name, const std::vector<std::string>& missing) {
   const std::string first = absl::StrCat("\"", Printable(Shortened(missing.front(), 80)), "\"");
-  const std::string others = missing.size() > 1 ? absl::StrCat(" and ", missing.size() - 1, " more") : "";
-  return absl::StrCat(name, ": names ", first, others,
-                      ", not there: the next coarser level is filled in its place, or a hole if there is none");
+  const std::string what =
+      missing.size() == 1
+          ? absl::StrCat(": a file that this tile names is missing, ", first)
+          : absl::StrCat(": ", missing.size(), " files that this tile names are missing, such as ", first);
+  return absl::StrCat(name, what, ": the next coarser level is filled in its place, or a hole if there is none");
 }
 
 absl::StatusOr<LookSurvey> SurveyTree(const std::string& path, std::string_view pack, const std::string& name,
@@ -82,8 +91,7 @@ absl::StatusOr<LookSurvey> SurveyWithLook(const std::string& root, const std::st
   const std::string name = absl::StrCat(root, "/", path);
   if (format == MeshFormat::kPly) return SurveyPly(root, path, bytes, name, choice);
   if (format == MeshFormat::kTileTree) return SurveyTree(path, bytes, name, choice);
-  const bool textured = format == MeshFormat::kObj && bytes.find("mtllib") != std::string_view::npos;
-  if (textured) return SurveyTexturedObj(root, path, bytes, name, choice);
+  if (format == MeshFormat::kObj) return SurveyObj(root, path, bytes, name, choice);
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, name, choice.no_faces));
   return LookSurvey{SurveyOf(file, choice), {}, {}};
 }

@@ -30,8 +30,9 @@ struct SurveyChoice {
 };
 
 // Surveys `bytes`, the tile `path` of the scene `root`: SurveyTile, the files that it names, and its colours along the
-// boundary (texels or diffuse colours of an OBJ, colours of vertices of a PLY). A tile that names no files and has no
-// colours costs what SurveyTile does. With a `raster_square` above 0 the record has the lowest surface
+// boundary: texels or diffuse colours of an OBJ, and the colours of its vertices where no material is in force; colours
+// of vertices of a PLY, else of its faces. A tile that names no files and has no colours costs what ParseMesh and
+// SurveyTile do, and of an OBJ 12 bytes a triangle. With a `raster_square` above 0 the record has the lowest surface
 // (worker/ground/lowest_surface.h). Errors of ParseMesh; files and images that cannot be had are warnings.
 absl::StatusOr<LookSurvey> SurveyWithLook(const std::string& root, const std::string& path, std::string_view bytes,
                                           MeshFormat format, const SurveyChoice& choice = {});

@@ -29,7 +29,8 @@ absl::StatusOr<DeliveryTile> DeliveryOf(const v1::AssembleInput& input, const As
   }
   if (!IsTileTree(path)) return DeliveryOfObj(tile.bytes, {input.tile().root(), path, tile.materials, tile.image});
   TILEMEND_ASSIGN_OR_RETURN(const TileTree tree, ReadTileTree(tile.bytes, PathOf(input.tile())));
-  return DeliveryOfTree(tree, HasLevels(input.output_format()) ? DeliveryLevels::kAll : DeliveryLevels::kFinest);
+  const DeliveryLevels levels = HasLevels(input.output_format()) ? DeliveryLevels::kAll : DeliveryLevels::kFinest;
+  return DeliveryOfTree(tree, levels, tile.new_geometries);
 }
 
 // Vertices of OSGB tiles are float32 values and stay as they are.
@@ -53,6 +54,8 @@ absl::StatusOr<std::vector<DeliveryFile>> FilesOf(const DeliveryTile& tile, cons
 absl::StatusOr<Delivered> DeliverTile(const v1::AssembleInput& input, const AssembledTile& tile) {
   TILEMEND_ASSIGN_OR_RETURN(DeliveryTile delivery, DeliveryOf(input, tile));
   if (HasLevels(input.output_format())) KeepJpegAndPng(delivery);
+  // A PLY has images or colours.
+  if (input.output_format() != "ply" || !delivery.images.empty()) DropVertexColours(delivery);
   Delivered result;
   TILEMEND_ASSIGN_OR_RETURN(result.files, FilesOf(delivery, input));
   result.warnings = std::move(delivery.warnings);

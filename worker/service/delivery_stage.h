@@ -2,6 +2,7 @@
 #ifndef TILEMEND_WORKER_SERVICE_DELIVERY_STAGE_H_
 #define TILEMEND_WORKER_SERVICE_DELIVERY_STAGE_H_
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,10 +17,11 @@ namespace tilemend {
 
 // A tile as it is after the assembly, in its own format.
 struct AssembledTile {
-  std::string_view bytes;               // of a tree its pack; not looked at if the cell has no tile
-  const TilePatch* patch = nullptr;     // of a cell without a tile: all of its surface
-  std::vector<FillMaterial> materials;  // of an OBJ tile's filled faces
-  std::string_view image;               // on these; empty: none
+  std::string_view bytes;                    // of a tree its pack; not looked at if the cell has no tile
+  const TilePatch* patch = nullptr;          // of a cell without a tile: all of its surface
+  std::vector<FillMaterial> materials;       // of an OBJ tile's filled faces
+  std::string_view image;                    // on these; empty: none
+  std::vector<int32_t> new_geometries = {};  // of a tree with a patch: as of PatchedTree
 };
 
 struct Delivered {

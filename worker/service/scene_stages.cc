@@ -230,14 +230,17 @@ absl::StatusOr<Delivered> AssembleDelivery(const v1::AssembleInput& input, const
   TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadSurveyed(input.tile(), input.stamp()));
   TILEMEND_ASSIGN_OR_RETURN(FillTexture texture, LayTexture(input, cancel, memory, added));
   std::vector<LevelCounts> levels;
+  std::vector<int32_t> new_geometries;
   std::vector<std::string> warnings = std::move(texture.warnings);
   if (!added.patch.triangles.empty() || !input.tile().clear().empty()) {
     TILEMEND_ASSIGN_OR_RETURN(PatchedBytes patched, PatchedTile(input, added, bytes));
     bytes = std::move(patched.bytes);
     levels = std::move(patched.levels);
+    new_geometries = std::move(patched.new_geometries);
     std::ranges::move(patched.warnings, std::back_inserter(warnings));
   }
-  TILEMEND_ASSIGN_OR_RETURN(Delivered delivered, DeliverTile(input, {bytes, nullptr, added.materials, texture.image}));
+  TILEMEND_ASSIGN_OR_RETURN(Delivered delivered,
+                            DeliverTile(input, {bytes, nullptr, added.materials, texture.image, new_geometries}));
   delivered.levels = std::move(levels);
   std::ranges::move(warnings, std::back_inserter(delivered.warnings));
   return delivered;

@@ -50,6 +50,8 @@ class Welder {
     SplitEdges();
     Weld weld;
     weld.triangles = mesh_.triangles();
+    const std::span<const int32_t> cut_from = mesh_.CutFrom();
+    weld.cut_from.assign(cut_from.begin(), cut_from.end());
     for (const int32_t p : mesh_.boundary()) {
       const int32_t stays = mesh_.StaysAs(p);
       if (stays != p) record_.welded.push_back({mesh_.VertexAt(p), mesh_.VertexAt(stays), Distance(p, stays)});

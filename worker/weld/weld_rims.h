@@ -16,6 +16,7 @@ struct Weld {
   // By vertices of the mesh; there are no others. First its triangles as they are now, in order, then those that came
   // of splitting edges. Unchanged ones are as they were.
   std::vector<Triangle> triangles;
+  std::vector<int32_t> cut_from;  // of each that came of splitting: the triangle of the mesh that it was a part of
 };
 
 // Merges boundary vertices that are no further apart than `tolerance`, the nearest first. Then splits boundary edges

@@ -53,6 +53,8 @@ class WeldingMesh {
 
   // By vertices of the mesh: its triangles as they are now, then the new ones.
   const std::vector<Triangle>& triangles() const { return triangles_; }
+  // Of each new triangle, the one of the mesh that it is a part of.
+  std::span<const int32_t> CutFrom() const { return std::span(original_).subspan(mesh_.triangles.size()); }
 
  private:
   int32_t PlaceOf(int32_t vertex) const { return StaysAs(place_of_[vertex]); }

@@ -31,7 +31,7 @@ class GltfReader {
     TILEMEND_RETURN_IF_ERROR(ReadImages());
     TILEMEND_ASSIGN_OR_RETURN(const std::vector<GltfInstance> instances, GltfInstances(root_));
     for (const GltfInstance& instance : instances) {
-      file_.nodes.push_back({.name = instance.name, .matrix = to_z_up_ * instance.matrix});
+      file_.nodes.push_back({.name = instance.name, .matrix = to_z_up_ * instance.matrix, .number = instance.node});
       TILEMEND_ASSIGN_OR_RETURN(const std::vector<JsonView> primitives, GltfPrimitivesOf(root_, instance.mesh));
       for (size_t i = 0; i < primitives.size(); ++i) {
         TILEMEND_RETURN_IF_ERROR(ReadPrimitive(primitives[i], instance.mesh, static_cast<int32_t>(i)));

@@ -59,6 +59,7 @@ struct GltfImage {
 struct GltfNode {
   std::string name;
   Eigen::Matrix4d matrix;  // from the coordinates in its accessors to GltfFile::points
+  int64_t number = 0;      // in the file: new nodes come after those that were there
 };
 
 struct GltfFile {

@@ -33,7 +33,8 @@ TreeFile FromOsgb(OsgbFile file) {
   TreeFile result{std::move(file.points), std::move(file.uv), std::move(file.triangles), {}, {}};
   for (const OsgbGeometry& g : file.geometries) {
     result.geometries.push_back({g.first_vertex, g.vertex_count, g.first_triangle, g.triangle_count, g.texture,
-                                 g.colour.value_or(kNoColour), g.geode, g.colour.has_value()});
+                                 g.colour.value_or(kNoColour), g.geode, g.colour.has_value(),
+                                 std::ssize(result.geometries)});
   }
   for (OsgbImage& image : file.images) {
     const bool is_encoded = image.storage == OsgbImage::Storage::kEncoded;
@@ -59,7 +60,8 @@ TreeFile FromGltf(GltfFile file) {
   TreeFile result{std::move(file.points), std::move(file.uv), std::move(file.triangles), {}, {}};
   for (const GltfPrimitive& p : file.primitives) {
     result.geometries.push_back({p.first_vertex, p.vertex_count, p.first_triangle, p.triangle_count, p.texture,
-                                 SrgbOf(p.base_colour), 0, p.has_base_colour});
+                                 SrgbOf(p.base_colour), 0, p.has_base_colour,
+                                 file.nodes[static_cast<size_t>(p.node)].number});
   }
   for (GltfImage& image : file.images) {
     result.images.push_back({std::move(image.name), image.offset, image.size, image.size > 0});

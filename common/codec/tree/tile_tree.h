@@ -26,6 +26,7 @@ struct TreeGeometry {
   Rgb colour;               // without a texture
   int32_t part = 0;         // of the file
   bool has_colour = false;  // the file says `colour`; else it is white, as viewers draw what has no material
+  int64_t order = 0;        // among those of the part: new geometry has the highest
 };
 
 struct TreeImage {

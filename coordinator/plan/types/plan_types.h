@@ -112,6 +112,9 @@ struct PlannedHole {
   std::vector<RimSegment> inner_edges = {};  // of what is filled, between new vertices inside it (strip_edges.h)
 };
 
+// Whether the area of a hole is known. It is not of open holes that were given up before their region was found.
+inline bool IsAreaKnown(const PlannedHole& hole) { return hole.kind == HoleKind::kClosed || hole.area > 0; }
+
 // A vertex of a hole boundary: a vertex of one or more tiles, or a new one on a seam.
 struct PlanVertex {
   CellId tile;

@@ -27,6 +27,7 @@ std::string Agreement(const LevelEvidence& e) {
 }  // namespace
 
 std::string DecidedBy(const WaterArea& area) {
+  if (area.decision != ReviewDecision::kNone) return "your " + area.label + (area.water ? ": water" : ": ground");
   return area.label + (area.water ? " says that it is water" : " says that it is no water");
 }
 

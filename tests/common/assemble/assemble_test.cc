@@ -115,6 +115,7 @@ TEST(MergePatchesTest, NamesTheMaterialOfEachHole) {
   ASSERT_EQ(merged.materials.size(), 2U) << "one run for two patches of one hole";
   EXPECT_EQ(merged.materials[0].first, 0);
   EXPECT_EQ(merged.materials[0].material, "tilemend_fill_0_010203");
+  EXPECT_EQ(merged.materials[0].colour, (Rgb{1, 2, 3}));
   EXPECT_EQ(merged.materials[1].first, 8);
   EXPECT_EQ(merged.materials[1].material, "tilemend_fill_4_070809");
   EXPECT_THAT(merged.colours, IsEmpty());

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -105,6 +106,14 @@ TEST(PatchTreeLevelsTest, EveryLevelGetsThePatch) {
     EXPECT_GT(is.mesh.triangles.size(), was.mesh.triangles.size()) << l;
     EXPECT_EQ(patched->levels[static_cast<size_t>(l)].added,
               static_cast<int64_t>(is.mesh.triangles.size() - was.mesh.triangles.size()));
+  }
+  ASSERT_EQ(patched->new_geometries.size(), before->pieces.size());
+  for (size_t p = 0; p < before->pieces.size(); ++p) {
+    const auto file = static_cast<size_t>(before->pieces[p].file);
+    const auto count = [&](const TileTree& tile) {
+      return std::ranges::count(tile.files[file].geometries, before->pieces[p].part, &TreeGeometry::part);
+    };
+    EXPECT_EQ(count(*after) - count(*before), patched->new_geometries[p]) << p;
   }
   EXPECT_EQ(patched->levels[0].filled, 1);
   EXPECT_GT(patched->levels[2].filled, 1);

@@ -107,6 +107,11 @@ TEST(ParseFacesTest, TellsWhichTrianglesAreOneFaceAndWhatHasTextures) {
   const auto textured = ParseFaces(MeshFormat::kObj, vertices + "f 1/1 2/1 3/1\n", "a.obj");
   ASSERT_TRUE(textured.ok());
   EXPECT_TRUE(textured->has_textures);
+  const std::string ply = PlyHeaderOf("ascii"), body = "0 0 0\n1 0 0\n0 1 0\n0 1 1\n7 3 0 1 2";
+  EXPECT_FALSE(ParseFaces(MeshFormat::kPly, ply + body + "\n", "a.ply").value().has_textures);
+  const std::string places =
+      absl::StrReplaceAll(ply, {{"end_header", "property list uchar float texcoord\nend_header"}});
+  EXPECT_TRUE(ParseFaces(MeshFormat::kPly, places + body + " 6 0 0 1 0 0 1\n", "a.ply").value().has_textures);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ constexpr char kTexturedObj[] =
 std::vector<uint64_t> ObjLooks(const std::string& text) {
   const auto obj = ParseTexturedObj(text, "a.obj");
   EXPECT_TRUE(obj.ok()) << obj.status();
-  return ObjFaceLooks(obj->textures, obj->file.mesh.triangles.size());
+  return ObjFaceLooks(obj->textures, obj->file.mesh.triangles);
 }
 
 TEST(FaceLooksTest, MaterialsAndTextureCoordinatesOfAnObjCount) {
@@ -32,6 +32,32 @@ TEST(FaceLooksTest, MaterialsAndTextureCoordinatesOfAnObjCount) {
   // The number of a texture coordinate is not what counts.
   EXPECT_EQ(ObjLooks(absl::StrReplaceAll(kTexturedObj, {{"vt 0.1 0.2\n", "vt 0.1 0.2\nvt 0.1 0.2\n"}, {"2/2", "2/3"}})),
             looks);
+}
+
+TEST(FaceLooksTest, ColoursOfTheVerticesOfAnObjCount) {
+  const std::string coloured =
+      "v 0 0 0\nv 1 0 0 0.1 0.2 0.3\nv 0 1 0 0.4 0.5 0.6\nv 1 1 0\nv 2 1 0\nf 1 2 3\nf 2 4 3\nf 4 5 1\n";
+  const std::vector<uint64_t> looks = ObjLooks(coloured);
+  ASSERT_THAT(looks, SizeIs(3));
+  const auto changed = ObjLooks(absl::StrReplaceAll(coloured, {{"0.3", "0.4"}}));
+  EXPECT_NE(changed[0], looks[0]);
+  EXPECT_NE(changed[1], looks[1]);
+  EXPECT_EQ(changed[2], looks[2]);
+  EXPECT_NE(ObjLooks(absl::StrReplaceAll(coloured, {{" 0.4 0.5 0.6", ""}}))[0], looks[0]);
+  EXPECT_EQ(ObjLooks(absl::StrReplaceAll(coloured, {{"0.6\n", " 0.6 # green\r\n"}})), looks);
+}
+
+TEST(FaceLooksTest, AppendPatchLeavesTheLooksOfAnObj) {
+  const std::string coloured = "v 0 0 0\nv 1 0 0 0.1 0.2 0.3\nv 0 1 0 0.4 0.5 0.6\nf 1 2 3\n";
+  FilePatch patch;
+  patch.new_points = {{1, 1, 0}};
+  patch.like = {1};
+  patch.triangles = {{2, 1, 3}};
+  const auto appended = AppendPatch(MeshFormat::kObj, coloured, patch, "a.obj");
+  ASSERT_TRUE(appended.ok()) << appended.status();
+  const std::vector<uint64_t> looks = ObjLooks(*appended);
+  ASSERT_THAT(looks, SizeIs(2));
+  EXPECT_EQ(looks[0], ObjLooks(coloured)[0]);
 }
 
 std::string Ply(const std::string& marks, const std::string& colour = "9") {
@@ -93,6 +119,21 @@ TEST(TreeFaceLooksTest, ImagesAndTextureCoordinatesTell) {
   EXPECT_EQ(looks, TreeFaceLooks(*same, LevelOf(*same, 2)));
   EXPECT_NE(looks[0], TreeFaceLooks(*changed, LevelOf(*changed, 2))[0]);
   EXPECT_NE(looks[0], looks[5]) << "other texture coordinates";
+}
+
+TEST(TreeFaceLooksTest, TheColourOfTheMaterialTells) {
+  auto tile = ReadTileTree(OsgbScene().Pack(0), "a.osgb");
+  ASSERT_TRUE(tile.ok()) << tile.status();
+  const TreeLevel level = LevelOf(*tile, 0);
+  const std::vector<uint64_t> looks = TreeFaceLooks(*tile, level);
+  TreeGeometry& geometry =
+      tile->files[tile->pieces[level.parts[0].piece].file].geometries[level.parts[0].geometries[0]];
+  geometry.colour = {1, 2, 3};
+  EXPECT_NE(TreeFaceLooks(*tile, level)[0], looks[0]);
+  geometry.colour = {1, 2, 4};
+  const uint64_t other = TreeFaceLooks(*tile, level)[0];
+  geometry.has_colour = !geometry.has_colour;
+  EXPECT_NE(TreeFaceLooks(*tile, level)[0], other);
 }
 
 }  // namespace

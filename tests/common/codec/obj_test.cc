@@ -14,6 +14,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 absl::StatusOr<MeshFile> Parse(const std::string& text) { return ParseMesh(MeshFormat::kObj, text, "a.obj"); }
 
@@ -52,6 +53,24 @@ TEST(ObjTest, FansPolygonsAndSkipsFacesWithoutSurface) {
   ASSERT_TRUE(file.ok()) << file.status();
   EXPECT_THAT(file->mesh.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}));
   EXPECT_EQ(file->polygon_count, 2);
+}
+
+TEST(ObjTest, CutsAPolygonThatStandsBeforeItsVertices) {
+  const std::string vertices = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 3 1 0\n", face = "f 1/1 2/2 3/3 4/4\n";  // an arrowhead
+  const auto usual = Parse(vertices + face);
+  ASSERT_TRUE(usual.ok()) << usual.status();
+  for (const Triangle& t : usual->mesh.triangles) EXPECT_THAT(t, ::testing::Not(::testing::IsSupersetOf({0, 2})));
+  for (const std::string& text : {face + vertices, "v 0 0 0\n" + face + "v 4 0 0\nv 4 4 0\nv 3 1 0\n"}) {
+    const auto file = Parse(text);
+    ASSERT_TRUE(file.ok()) << file.status();
+    EXPECT_EQ(file->mesh.triangles, usual->mesh.triangles);
+    EXPECT_EQ(file->mesh.points, usual->mesh.points);
+    const auto textured = ParseTexturedObj(text, "a.obj");
+    ASSERT_TRUE(textured.ok()) << textured.status();
+    EXPECT_EQ(textured->textures.corners.size(), 2U);
+  }
+  EXPECT_THAT(MessageOf("f 1 2 3 4\nv 0 0 0\nv 1 0 0\n"), HasSubstr("line 1: expected a vertex index of at most 2"));
+  EXPECT_THAT(MessageOf("f 1 2 3 4\n"), HasSubstr("no vertices"));
 }
 
 TEST(ObjTest, JoinsContinuedLinesButNotComments) {
@@ -103,6 +122,31 @@ TEST(ObjTexturesTest, FollowTheTriangles) {
   ASSERT_EQ(textures.coordinates.size(), 3U);
   EXPECT_EQ(textures.coordinates[0], (std::array<float, 2>{0, 0.25}));
   EXPECT_TRUE(std::isnan(textures.coordinates[2][0]));
+}
+
+TEST(ObjTexturesTest, KnowFilledFacesByTheirGroup) {
+  const auto obj = ParseTexturedObj(
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\ng tilemend_filled \nf 1 2 3\nf 1 2 3\ng a tilemend_filled\nf 1 2 3\ng\n",
+      "a.obj");
+  ASSERT_TRUE(obj.ok()) << obj.status();
+  const auto& groups = obj->textures.groups;
+  ASSERT_EQ(groups.size(), 3U);
+  EXPECT_EQ(groups[0].first, 1);
+  EXPECT_TRUE(groups[0].is_filled);
+  EXPECT_EQ(groups[1].first, 3);
+  EXPECT_FALSE(groups[1].is_filled);
+}
+
+TEST(ObjTexturesTest, HaveTheColoursOfVertices) {
+  const auto colours = [](const std::string& vertices) {
+    return ParseTexturedObj(vertices + "f 1 2 3\n", "a.obj").value().textures.vertex_colours;
+  };
+  EXPECT_THAT(colours("v 0 0 0 0 0.2 1\nv 1 0 0 0.6 2 -1 # bright\nv 0 1 0 1e-3 0.5 1\r\n"),
+              ElementsAre(Rgb{0, 51, 255}, Rgb{153, 255, 0}, Rgb{0, 128, 255}));
+  EXPECT_THAT(colours("v 0 0 0\nv 1 0 0 1\nv 0 1 0 1 1 1 1\n"), IsEmpty()) << "a weight, and what is not known";
+  EXPECT_THAT(colours("v 0 0 0\nv 1 0 0 1 1 1\nv 0 1 0 x 1 1\n"),
+              ElementsAre(std::nullopt, Rgb{255, 255, 255}, std::nullopt));
+  EXPECT_THAT(colours("v 0 0 0 nan 1 1\nv 1 0 0\nv 0 1 0\n"), IsEmpty());
 }
 
 TEST(ObjTexturesTest, DamageInThemIsNoError) {

@@ -114,6 +114,26 @@ TEST(PlyAppendBinaryTest, CopiesTrianglesOfOneSize) {
             FloatTriangles("property short kind\n" + filled, {"ab" + zero, "cd" + zero, zero + zero + "\1"}));
 }
 
+TEST(PlyAppendBinaryTest, FacesOfEverySizeGiveTheirPropertiesToWhatIsCutFromThem) {
+  const std::string filled = "property uchar tilemend_filled\n", zero(1, '\0');
+  FilePatch patch = {{}, {}, {{2, 3, 0}}};
+  patch.cut_from = {1};
+  EXPECT_EQ(
+      AppendPatch(MeshFormat::kPly, FloatTriangles("property short kind\n", {"ab", "cd"}), patch, "a.ply").value(),
+      FloatTriangles("property short kind\n" + filled, {"ab" + zero, "cd" + zero, "cd\1"}));
+  for (const bool big : {false, true}) {
+    OddPly odd = {.big_endian = big};
+    const std::string before = odd.Header() + Join(odd.Vertices()) + Join(odd.Faces()) + odd.Edges();
+    FilePatch half = {{}, {}, {{0, 1, 3}}};
+    half.cut_from = {3};  // the triangle behind the quad
+    odd.face_count = "4";
+    odd.filled_property = "property uchar tilemend_filled|";
+    EXPECT_EQ(AppendPatch(MeshFormat::kPly, before, half, "a.ply").value(),
+              odd.Header() + Join(odd.Vertices()) + Join(odd.Faces(), zero) + odd.Face(7, {0, 1, 3}, {0.25F}) + '\1' +
+                  odd.Edges());
+  }
+}
+
 TEST(PlyAppendBinaryTest, WidensIndicesThatDoNotFit) {
   std::string before =
       "ply\nformat binary_little_endian 1.0\nelement vertex 255\nproperty float x\nproperty float y\n"
@@ -173,7 +193,47 @@ TEST(PlyAppendTextTest, PutsTheColoursOfThePatchInPlaceOfThoseOfLikes) {
   const FilePatch patch = {{{2, 2, 2}, {3, 3, 3}}, {1, -1}, {{0, 1, 3}}, {{20, 21, 22}, {30, 31, 32}}};
   const auto out = AppendPatch(MeshFormat::kPly, text, patch, "a.ply");
   ASSERT_TRUE(out.ok()) << out.status();
-  EXPECT_THAT(*out, ::testing::HasSubstr("\n20 2 2 21 2 22 8\n30 3 3 31 3 32 0\n3 0 1 2 0\n"));
+  EXPECT_THAT(*out, ::testing::HasSubstr("\n20 2 2 21 2 22 8\n30 3 3 31 3 32 255\n3 0 1 2 0\n"))
+      << "what is like nothing in the file is opaque";
+}
+
+// Faces of every encoding with a colour, an opacity and a list.
+std::string ColouredFaces(const std::string& format) {
+  return "ply\nformat " + format +
+         " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n"
+         "property uchar red\nproperty list uchar short tags\nproperty uchar green\n"
+         "property list uchar int vertex_indices\nproperty uchar blue\nproperty uchar alpha\nend_header\n";
+}
+
+const std::string kFourPoints = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+
+TEST(PlyAppendTextTest, NewFacesHaveTheColoursOfTheirRunsAndAreOpaque) {
+  const std::string text = ColouredFaces("ascii") + kFourPoints + "1 0 2 3 0 1 2 3 4\n5 1 -9 6 3 0 2 3 7 8\n";
+  FilePatch patch = {{}, {}, {{0, 1, 3}, {1, 2, 3}, {0, 2, 1}}};
+  patch.materials = {{0, "a", Rgb{10, 20, 30}}, {2, "b", Rgb{40, 50, 60}}};
+  const auto out = AppendPatch(MeshFormat::kPly, text, patch, "a.ply");
+  ASSERT_TRUE(out.ok()) << out.status();
+  EXPECT_THAT(*out, EndsWith("\n5 1 -9 6 3 0 2 3 7 8 0\n10 0 20 3 0 1 3 30 255 1\n10 0 20 3 1 2 3 30 255 1\n"
+                             "40 0 50 3 0 2 1 60 255 1\n"));
+}
+
+TEST(PlyAppendTextTest, WhatIsCutFromAFaceHasItsProperties) {
+  const std::string text = ColouredFaces("ascii") + kFourPoints + "1 0 2 3 0 1 2 3 4\n5 1 -9 6 3 0 2 3 7 8\n";
+  FilePatch patch = {{}, {}, {{0, 1, 3}, {1, 2, 3}}};
+  patch.cut_from = {1, 0};
+  const auto out = AppendPatch(MeshFormat::kPly, text, patch, "a.ply");
+  ASSERT_TRUE(out.ok()) << out.status();
+  EXPECT_THAT(*out, EndsWith("\n5 1 -9 6 3 0 2 3 7 8 0\n5 1 -9 6 3 0 1 3 7 8 1\n1 0 2 3 1 2 3 3 4 1\n"));
+  // Where there are marks already, it has one as well.
+  FilePatch again = {{}, {}, {{1, 2, 3}}};
+  again.cut_from = {0};
+  EXPECT_THAT(AppendPatch(MeshFormat::kPly, *out, again, "a.ply").value(), EndsWith(" 1\n1 0 2 3 1 2 3 3 4 1\n"));
+  patch.cut_from = {1};
+  EXPECT_THAT(std::string(AppendPatch(MeshFormat::kPly, text, patch, "a.ply").status().message()),
+              HasSubstr("2 triangles but 1 that they were cut from"));
+  patch.cut_from = {1, 2};
+  EXPECT_THAT(std::string(AppendPatch(MeshFormat::kPly, text, patch, "a.ply").status().message()),
+              HasSubstr("no triangle 2 to be cut from"));
 }
 
 TEST(PlyAppendTextTest, RefusesABadPatch) {

@@ -47,6 +47,27 @@ TEST(PlyVertexColoursTest, FilesWithoutColoursHaveNone) {
       IsEmpty());
 }
 
+TEST(PlyFaceColoursTest, EveryTriangleHasTheColourOfItsFace) {
+  const std::string start =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 4\nproperty uchar red\nproperty list uchar int vertex_indices\nproperty uchar blue\n"
+      "property uchar green\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  const auto colours = PlyFaceColours(start + "1 3 0 1 2 3 2\n9 2 0 1 9 9\n4 4 0 1 2 3\n6 5\n7 3 0 2 3 9 8\n", "a.ply");
+  ASSERT_TRUE(colours.ok()) << colours.status();
+  EXPECT_THAT(*colours, ElementsAre(Rgb{1, 2, 3}, Rgb{4, 5, 6}, Rgb{4, 5, 6}, Rgb{7, 8, 9}));
+}
+
+TEST(PlyFaceColoursTest, ReadsBinaryAndLeavesFilesWithoutAlone) {
+  const FilePatch patch = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {-1, -1, -1}, {{0, 1, 2}, {0, 2, 1}}};
+  std::string bytes = NewPlyFile(patch, NumberType::kFloat32, FaceMark::kNone);
+  EXPECT_THAT(*PlyFaceColours(bytes, "a.ply"), IsEmpty());
+  constexpr size_t kFace = 13;
+  bytes.insert(bytes.size() - kFace, "\1\2\3");
+  bytes += "\4\5\6";
+  bytes.insert(bytes.find("end_header"), "property uchar red\nproperty uchar green\nproperty uchar blue\n");
+  EXPECT_THAT(*PlyFaceColours(bytes, "a.ply"), ElementsAre(Rgb{1, 2, 3}, Rgb{4, 5, 6}));
+}
+
 TEST(PlyTextureNamesTest, GivesEachNameOfTheHeaderOnce) {
   EXPECT_THAT(PlyTextureNames("ply\r\ncomment TextureFile a b.png \r\ncomment TextureFile c.jpg\r\ncomment TextureFile "
                               "c.jpg\ncomment by hand\nend_header\ncomment TextureFile d.jpg\n"),

@@ -47,6 +47,21 @@ TEST_P(OddPlyTest, ReadsPositionsAndFansAmongOddProperties) {
   EXPECT_EQ(file->polygon_count, 1);
 }
 
+// An arrowhead, whose fan around the first corner has a triangle turned over.
+TEST(PlyTest, CutsAPolygonThatStandsBeforeItsVertices) {
+  const std::string begin = "ply\nformat ascii 1.0\n", end = "end_header\n",
+                    of_vertex = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n",
+                    of_face = "element face 1\nproperty list uchar int vertex_indices\n",
+                    vertices = "0 0 0\n4 0 0\n4 4 0\n3 1 0\n", face = "4 0 1 2 3\n";
+  const auto usual = Parse(begin + of_vertex + of_face + end + vertices + face),
+             early = Parse(begin + of_face + of_vertex + end + face + vertices);
+  ASSERT_TRUE(usual.ok() && early.ok()) << usual.status() << early.status();
+  for (const Triangle& t : usual->mesh.triangles) EXPECT_THAT(t, ::testing::Not(::testing::IsSupersetOf({0, 2})));
+  EXPECT_EQ(early->mesh.triangles, usual->mesh.triangles);
+  EXPECT_EQ(early->mesh.points, usual->mesh.points);
+  EXPECT_EQ(early->polygon_count, 1);
+}
+
 INSTANTIATE_TEST_SUITE_P(EncodingsAndLineEndings, OddPlyTest,
                          ::testing::Combine(::testing::Bool(), ::testing::Values("\n", "\r\n", "\r")));
 

@@ -101,6 +101,21 @@ TEST(StlTest, AppendsFacetsAndKeepsTheRest) {
   EXPECT_FALSE(AppendToStl(kText, patch, "a.stl").ok());
 }
 
+TEST(StlTest, AppendsFacetsBeforeTheLastEndOfASolidHoweverItIsWritten) {
+  const std::string facets(kText, std::string(kText).find("endsolid"));
+  FilePatch patch;
+  patch.triangles = {{2, 1, 0}};
+  for (const std::string end : {"endsolid plate (endsolid)\r\n", "EndSolid x\r\n", "endsolid\r\n", ""}) {
+    const auto out = AppendToStl(facets + end, patch, "a.stl");
+    ASSERT_TRUE(out.ok()) << out.status();
+    EXPECT_THAT(*out, testing::StartsWith(facets + "facet normal"));
+    EXPECT_THAT(*out, testing::EndsWith("endfacet\r\n" + end));
+    const auto file = ParseStl(*out, "out.stl");
+    ASSERT_TRUE(file.ok()) << file.status();
+    EXPECT_EQ(file->mesh.triangles.size(), 2u);
+  }
+}
+
 TEST(StlTest, SaysWhereAFileIsWrong) {
   std::string short_of_facets = Binary(kCorners);
   std::memcpy(short_of_facets.data(), "solid", 5);

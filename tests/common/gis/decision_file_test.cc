@@ -42,10 +42,10 @@ TEST(DecisionFileTest, EachDecisionIsAnArea) {
   }
   EXPECT_THAT(decisions, ElementsAre(ReviewDecision::kAccept, ReviewDecision::kWater, ReviewDecision::kWater,
                                      ReviewDecision::kGround, ReviewDecision::kOpen));
-  EXPECT_EQ(file->areas[0].label, "feature 0 of --decisions (hole 7)");
+  EXPECT_EQ(file->areas[0].label, "decision on hole 7");
   EXPECT_EQ(file->areas[1].level, 3.25);
   EXPECT_EQ(file->areas[2].level, std::nullopt);
-  EXPECT_EQ(file->areas[2].label, "feature 2 of --decisions");
+  EXPECT_EQ(file->areas[2].label, "decision of feature 2");
 }
 
 TEST(DecisionFileTest, HolesWithoutADecisionAreLeftOut) {
@@ -54,9 +54,27 @@ TEST(DecisionFileTest, HolesWithoutADecisionAreLeftOut) {
   ASSERT_TRUE(file.ok()) << file.status();
   ASSERT_THAT(file->areas, SizeIs(1));
   EXPECT_EQ(file->areas[0].polygon.rings[0][0].x(), 10);
-  const auto none = Parse({DecisionAt(0, R"({"hole": 1})")});
+}
+
+// It would undo all that was decided before.
+TEST(DecisionFileTest, AFileOfOtherFeaturesIsRefused) {
+  for (const std::vector<std::string>& features :
+       {std::vector{DecisionAt(0, "{}"), DecisionAt(9, R"({"hole": 1, "decision": null})")},
+        std::vector{FeatureText(R"({"type":"Point","coordinates":[1,1]})", R"({"decision": "open"})")}}) {
+    const auto other = Parse(features);
+    EXPECT_TRUE(absl::IsInvalidArgument(other.status())) << other.status();
+    EXPECT_THAT(std::string(other.status().message()),
+                AllOf(StartsWith(absl::StrCat("d.geojson: none of its features (", features.size(), ") is a decision")),
+                      HasSubstr("property \"decision\" (accept, water, ground or open)"),
+                      HasSubstr("a file without features undoes all decisions")));
+  }
+}
+
+TEST(DecisionFileTest, AFileWithoutFeaturesHoldsNoDecision) {
+  const auto none = Parse({});
   ASSERT_TRUE(none.ok()) << none.status();
-  EXPECT_THAT(none->warnings, ElementsAre("d.geojson: holds no decision, so it has no effect"));
+  EXPECT_THAT(none->areas, IsEmpty());
+  EXPECT_THAT(none->warnings, ElementsAre("d.geojson: holds no decision"));
 }
 
 // As holes.geojson has them, with decisions that were typed in a GIS.
@@ -70,6 +88,16 @@ TEST(DecisionFileTest, HolesOfAClusterWithOneDecisionAreOneArea) {
   EXPECT_TRUE(Contains(file->areas[0].polygon, {2, 2}));
   EXPECT_TRUE(Contains(file->areas[0].polygon, {6, 2}));
   EXPECT_FALSE(Contains(file->areas[0].polygon, {10, 2}));
+  EXPECT_EQ(file->areas[0].label, "decision on holes 1, 2");
+}
+
+TEST(DecisionFileTest, ALabelNamesFiveHoles) {
+  std::vector<std::string> features;
+  for (int k = 0; k < 7; ++k)
+    features.push_back(DecisionAt(4 * k, absl::StrCat(R"({"cluster": 1, "decision": "open", "hole": )", k, "}")));
+  const auto file = Parse(features);
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_EQ(file->areas[0].label, "decision on holes 0, 1, 2, 3, 4 and 2 more");
 }
 
 TEST(DecisionFileTest, ABadFileIsRefusedWithThePlace) {

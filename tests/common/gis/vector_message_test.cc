@@ -19,7 +19,7 @@ VectorFile SomeFile() {
   VectorFeature& line = file.features.emplace_back();
   line.line = {{1, 2}, {3, 4}};
   line.water = false;
-  line.hole = 12;
+  line.holes = {12, 14};
   line.decision = ReviewDecision::kOpen;
   file.coordinates = "EPSG:25832";
   file.warnings = {"one", ""};
@@ -40,7 +40,7 @@ TEST(VectorMessageTest, AFileComesBackAsItWas) {
   EXPECT_EQ(read.features[1].line, file.features[1].line);
   EXPECT_FALSE(read.features[1].water);
   EXPECT_EQ(read.features[1].level, std::nullopt);
-  EXPECT_EQ(read.features[1].hole, 12);
+  EXPECT_EQ(read.features[1].holes, (std::vector<int64_t>{12, 14}));
   EXPECT_EQ(read.features[1].decision, ReviewDecision::kOpen);
   EXPECT_EQ(read.coordinates, file.coordinates);
   EXPECT_EQ(read.warnings, file.warnings);

@@ -162,6 +162,15 @@ TEST_F(SceneFolderTest, SaysWhatItLooksForInAnEmptyFolder) {
   ExpectError(absl::StatusCode::kNotFound, "no scene.json, and no tile named like");
 }
 
+TEST_F(SceneFolderTest, SaysWhatItFoundInPlaceOfTiles) {
+  folder_.Write("Data/Tile_+000_+014/Tile_+000_+014_L17.obj.gz", "?");
+  ExpectError(absl::StatusCode::kNotFound, "; found 1 file named Tile_+000_+014_L17.obj.gz: unpack or rename it");
+  folder_.Write("Tile_+000_+014_L19.obj", "?");
+  folder_.Write("Tile_+000_+014_L19.jpg", "?");
+  folder_.Write("notes.gz", "?");
+  ExpectError(absl::StatusCode::kNotFound, "; found 2 files such as Tile_+000_+014_L19.obj: unpack or rename them");
+}
+
 TEST_F(SceneFolderTest, PassesTheReadersErrorOn) {
   folder_.Write("Tile_+000_+000.ply", "?");
   ExpectError(absl::StatusCode::kInvalidArgument, "Tile_+000_+000.ply: no bounds");

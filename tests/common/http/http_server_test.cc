@@ -9,6 +9,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -90,18 +91,42 @@ TEST(HttpServerTest, RefusesABodyThatIsTooLarge) {
 
 TEST(HttpServerTest, RefusesABodyByItsHead) {
   const auto server = Serve([](const HttpRequest& request) { return HttpAnswer{.body = request.body}; });
-  const auto answer = [&](const std::string& field) {
+  const auto answer = [&](const std::string& field, const char* method = "POST") {
     const int fd = Connected(server->port());
-    const std::string head = absl::StrCat("POST / HTTP/1.1\r\nHost: x\r\n", field, "\r\n\r\n");
+    const std::string head = absl::StrCat(method, " / HTTP/1.1\r\nHost: x", field, "\r\n\r\n");
     EXPECT_EQ(write(fd, head.data(), head.size()), static_cast<ssize_t>(head.size()));
     std::string line(12, ' ');
     EXPECT_EQ(read(fd, line.data(), line.size()), 12);
     close(fd);
     return line;
   };
-  EXPECT_EQ(answer("Content-Length: 4097"), "HTTP/1.1 413");
-  EXPECT_EQ(answer("Transfer-Encoding: chunked"), "HTTP/1.1 411");
-  EXPECT_EQ(answer("Content-Length: 0\r\nExpect: 100-continue"), "HTTP/1.1 417");
+  EXPECT_EQ(answer("\r\nContent-Length: 4097"), "HTTP/1.1 413");
+  EXPECT_EQ(answer("\r\nTransfer-Encoding: chunked"), "HTTP/1.1 411");
+  EXPECT_EQ(answer("\r\nContent-Length: 0\r\nExpect: 100-continue"), "HTTP/1.1 417");
+  EXPECT_EQ(answer("\r\nContent-Length: 0"), "HTTP/1.1 200");
+  for (const char* method : {"POST", "PUT", "PATCH", "DELETE", "PRI"}) {
+    EXPECT_EQ(answer("", method), "HTTP/1.1 411") << method;
+  }
+}
+
+TEST(HttpServerTest, KeepsWhatAnAnswerHoldsUntilItIsSent) {
+  constexpr size_t kMuch = size_t{32} << 20;  // more than the sockets take
+  const auto held = std::make_shared<int>(0);
+  const auto server =
+      Serve([&](const HttpRequest&) { return HttpAnswer{.body = std::string(kMuch, 'a'), .until_sent = held}; });
+  const int fd = Connected(server->port());
+  constexpr char kHead[] = "GET / HTTP/1.1\r\nHost: x\r\n\r\n";
+  ASSERT_EQ(write(fd, kHead, sizeof(kHead) - 1), static_cast<ssize_t>(sizeof(kHead) - 1));
+  std::vector<char> part(size_t{1} << 20);
+  size_t read_bytes = 0;
+  for (ssize_t count = 1; count > 0; read_bytes += static_cast<size_t>(count)) {
+    EXPECT_TRUE(read_bytes == 0 || read_bytes > kMuch / 4 || held.use_count() > 1) << read_bytes;
+    count = std::max<ssize_t>(read(fd, part.data(), part.size()), 0);
+  }
+  close(fd);
+  EXPECT_GT(read_bytes, kMuch);
+  for (int i = 0; i < 1000 && held.use_count() > 1; ++i) absl::SleepFor(absl::Milliseconds(10));
+  EXPECT_EQ(held.use_count(), 1);
 }
 
 TEST(HttpServerTest, TwoThousandOpenConnectionsDelayNobody) {

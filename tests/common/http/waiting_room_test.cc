@@ -4,6 +4,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <semaphore>
 #include <string>
@@ -73,6 +74,29 @@ TEST_F(WaitingRoomTest, ABodyThatIsTooLongIsNotWaitedFor) {
     asking.Say(std::string("POST / HTTP/1.1\r\nContent-Length: ") + length + "\r\n\r\n");
     leave_.acquire();
     EXPECT_EQ(left_, asking.theirs);
+  }
+}
+
+TEST_F(WaitingRoomTest, AHeadIsWaitedForWithoutAThread) {
+  const std::string cookies = "Cookie: " + std::string(7000, 'a') + "\r\n";
+  ExpectLeavesWith("GET / HTTP/1.1\r\n" + cookies + cookies, "\r\n");
+}
+
+TEST_F(WaitingRoomTest, AHeadThatIsTooLongIsRefused) {
+  for (const char* end : {"", "\r\n\r\n"}) {
+    WaitingRoom room({}, Leave());
+    const Pair asking;
+    room.Add(asking.theirs);
+    asking.Say("GET / HTTP/1.1\r\nX: " + std::string(17000, 'a') + end);
+    std::string answer;
+    std::array<char, 1000> part{};
+    for (ssize_t count = 1; count > 0; answer.append(part.data(), static_cast<size_t>(std::max<ssize_t>(count, 0)))) {
+      count = read(asking.ours, part.data(), part.size());
+    }
+    EXPECT_EQ(answer.substr(0, 13), "HTTP/1.1 431 ");
+    const std::string body = answer.substr(answer.find("\r\n\r\n") + 4);
+    EXPECT_NE(answer.find("Content-Length: " + std::to_string(body.size()) + "\r\n"), std::string::npos) << answer;
+    EXPECT_FALSE(leave_.try_acquire());
   }
 }
 

@@ -33,6 +33,15 @@ TEST(CheckServerSecurityTest, KeepsPlainTextOnThisMachine) {
   }
 }
 
+TEST(CheckChannelSecurityTest, EachEndIsToldOfTheFlagsThatItNeeds) {
+  EXPECT_THAT(std::string(CheckServerSecurity({}, "host:1").message()),
+              HasSubstr("give --tls-cert and --tls-key, or --insecure"));
+  EXPECT_THAT(std::string(CheckServerSecurity({{}, "/a/token"}, "host:1").message()), Not(HasSubstr("token")))
+      << "a listener sends none";
+  EXPECT_THAT(std::string(CheckChannelSecurity({}, "host:1").message()),
+              HasSubstr("give --tls-ca (and --tls-cert and"));
+}
+
 TEST(CheckChannelSecurityTest, ATokenInPlainTextSaysWhatIsMissing) {
   Security security;
   security.token_file = "/no/such/token";

@@ -66,6 +66,16 @@ TEST(FlagsTest, SaysWhatIsWrong) {
   EXPECT_EQ(ErrorOf({"--overwrite=yes"}), "--overwrite takes no value");
 }
 
+TEST(FlagsTest, TakesSeveralLettersInOneWord) {
+  std::vector<FlagSpec> specs = Specs();
+  specs.push_back({"verbose", "", "more messages", "", 'v'});
+  const auto flags = Flags::Parse(specs, {"-vo", "json"});
+  ASSERT_TRUE(flags.ok()) << flags.status();
+  EXPECT_TRUE(flags->Switch("verbose"));
+  EXPECT_EQ(flags->Text("output"), "json");
+  EXPECT_EQ(Flags::Parse(specs, {"scene", "-vo"}).status().message(), "--output needs a value: FORMAT");
+}
+
 TEST(FlagsTest, ChecksNumbers) {
   const auto flags = Flags::Parse(Specs(), {"--workers", "many", "--out", "nan"});
   EXPECT_THAT(std::string(flags->Integer("workers", 1, 10).status().message()), HasSubstr("from 1 to 10"));

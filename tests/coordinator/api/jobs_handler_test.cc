@@ -120,6 +120,34 @@ TEST_F(JobsHandlerTest, RetryOfACompleteOutputNeedsOverwrite) {
   EXPECT_TRUE(calls_.jobs.RetryJob(retry).ok()) << "the output was taken away";
 }
 
+TEST_F(JobsHandlerTest, CellsNameTheJobThatWroteToTheOutputLater) {
+  cluster_.AddWorker("w");
+  v1::CreateJobRequest request = NewRequest();
+  const auto run = [&](v1::JobState state) {
+    const std::string name = calls_.jobs.CreateJob(request)->name();
+    EXPECT_EQ(cluster_.WaitFor(name).state(), state);
+    return name;
+  };
+  const auto later = [&](const std::string& name) { return calls_.jobs.GetCells(name)->later_job; };
+  const std::string first = run(v1::DONE);
+  request.mutable_spec()->set_overwrite(true);
+  request.mutable_spec()->set_dry_run(true);
+  run(v1::DONE);
+  EXPECT_EQ(later(first), "") << "a rehearsal writes nothing";
+  request.mutable_spec()->set_dry_run(false);
+  request.mutable_spec()->set_out(request.spec().out() + "/");
+  const std::string second = run(v1::DONE);
+  EXPECT_EQ(later(first), second);
+  EXPECT_TRUE(calls_.jobs.GetCells(first)->later_is_complete);
+  EXPECT_EQ(later(second), "");
+  request.mutable_spec()->set_scene("toy://2x1?plan_error=1");
+  const std::string third = run(v1::FAILED);
+  EXPECT_EQ(later(first), second);
+  EXPECT_EQ(later(second), third);
+  EXPECT_FALSE(calls_.jobs.GetCells(second)->later_is_complete);
+  EXPECT_EQ(later(third), "");
+}
+
 TEST_F(JobsHandlerTest, AJobOntoACompleteOutputIsRefusedAtOnce) {
   v1::CreateJobRequest request = NewRequest();
   const std::string out = request.spec().out();

@@ -55,8 +55,24 @@ TEST_F(DryRunTest, ADryRunSaysWhatStaysOpenAndWarns) {
   std::filesystem::remove(spec_.scene() + "/scene.json");
   const auto unknown = Run();
   ASSERT_TRUE(unknown.ok()) << unknown.status();
-  EXPECT_THAT(unknown->message, HasSubstr("1 to fill (filling may find some that stay open), 1 that stay open"));
+  EXPECT_THAT(unknown->message, HasSubstr("1 to fill (filling may find some that stay open), 1 that stays open"));
   EXPECT_THAT(unknown->warnings, testing::Contains(HasSubstr("the area is not known")));
+}
+
+TEST_F(DryRunTest, ADryRunSaysWhichHolesAreChosen) {
+  spec_.set_scene(WriteMade(SmallScene(Cut::kClipped), folder_ / "scene"));
+  spec_.set_cells("1,1");
+  EXPECT_THAT(Run()->message, HasSubstr("holes are in the 1 of 12 cells that were chosen"));
+}
+
+TEST_F(DryRunTest, ALevelFarFromAllSurfaceIsRefused) {
+  spec_.set_scene(WriteMade(SmallScene(Cut::kClipped), folder_ / "scene"));
+  spec_.set_water(folder_.Write("water.geojson",
+                                R"({"type": "Feature", "properties": {"level_m": 99999}, "geometry": {"type": "Polygon",
+                           "coordinates": [[[10, 10], [90, 10], [90, 90], [10, 90], [10, 10]]]}})"));
+  const absl::Status refused = Run().status();
+  EXPECT_TRUE(absl::IsInvalidArgument(refused)) << refused;
+  EXPECT_THAT(std::string(refused.message()), HasSubstr("m above all surface of the scene"));
 }
 
 TEST_F(DryRunTest, WarningsOfADryRunAreCounted) {

@@ -3,13 +3,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 #include "common/util/error_info.h"
 #include "tests/support/temporary_folder.h"
 
 namespace tilemend {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
 
 class EarlierOutputTest : public ::testing::Test {
  protected:
@@ -50,6 +56,24 @@ TEST_F(EarlierOutputTest, WithoutDecisionsOrWithoutAReportNothingIsReplaced) {
   WriteReport(OutputKey("scene"));
   spec_.clear_decisions();
   EXPECT_EQ(*MayReplace(spec_, OutputKey("scene")), false);
+}
+
+TEST_F(EarlierOutputTest, SaysHowManyDecisionsAFileWithoutOneUndoes) {
+  const auto warnings = [&](std::vector<WaterArea> areas) {
+    WaterChoice water;
+    water.options.areas = std::move(areas);
+    WarnOfUndoneDecisions(spec_, water);
+    return water.warnings;
+  };
+  EXPECT_THAT(warnings({}), IsEmpty());
+  folder_.Write("out/report.json", R"({"per_hole": [{"decision": "open"}, {"decision": "water"}, {}]})");
+  EXPECT_THAT(warnings({}), ElementsAre("/marks.geojson: the decisions of the last run on 2 holes are undone"));
+  WaterArea polygon;
+  EXPECT_THAT(warnings({polygon}), SizeIs(1));
+  polygon.decision = ReviewDecision::kAccept;
+  EXPECT_THAT(warnings({polygon}), IsEmpty());
+  spec_.clear_decisions();
+  EXPECT_THAT(warnings({}), IsEmpty());
 }
 
 }  // namespace

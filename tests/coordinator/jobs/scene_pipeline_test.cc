@@ -261,6 +261,9 @@ TEST_F(ScenePipelineTest, SomeCellsAreWrittenAsInARunOfAll) {
     ASSERT_TRUE(outcome.ok()) << outcome.status();
     EXPECT_FALSE(outcome->partial);
     EXPECT_THAT(outcome->message, HasSubstr("holes are in the 3 of 12 cells that were chosen"));
+    EXPECT_EQ(progress_.cells, 3);
+    EXPECT_EQ(progress_.cells_done, 3);
+    EXPECT_EQ(progress_.holes, progress_.holes_filled);
     const auto some = TilesBelow(spec_.out());
     EXPECT_EQ(some.size(), 3U);
     for (const auto& [name, bytes] : some) EXPECT_EQ(all.at(name), bytes) << name;
@@ -274,12 +277,6 @@ TEST_F(ScenePipelineTest, SomeCellsAreWrittenAsInARunOfAll) {
     }
     stages_.clear();
   }
-}
-
-TEST_F(ScenePipelineTest, ADryRunSaysWhichHolesAreChosen) {
-  spec_.set_dry_run(true);
-  spec_.set_cells("1,1");
-  EXPECT_THAT(Run()->message, HasSubstr("holes are in the 1 of 12 cells that were chosen"));
 }
 
 TEST_F(ScenePipelineTest, CellsThatTheSceneDoesNotHaveAreRefused) {

@@ -39,13 +39,26 @@ TEST_F(LeftOpenTest, HolesThatFailCountWhereTheirCellIsChosen) {
   EXPECT_FALSE(SomeHolesLeft(input_));
 }
 
-TEST_F(LeftOpenTest, AHoleThatIsShownAsNothingDoesNotMakeAnOutputPartial) {
+TEST_F(LeftOpenTest, ATinyHoleDoesNotMakeAnOutputPartial) {
   input_.outcome.failures[1] = "a reason";
   plan_.holes[1].area = 0.049;
   EXPECT_TRUE(SomeHolesLeft(input_));
   EXPECT_FALSE(IsPartial(input_));
+  EXPECT_EQ(UncountedText(input_), "; 1 left open is smaller than 0.05 m2 and does not count");
   plan_.holes[1].area = 0.051;
   EXPECT_TRUE(IsPartial(input_));
+  EXPECT_EQ(UncountedText(input_), "");
+}
+
+TEST_F(LeftOpenTest, AReportTellsWhatDoesNotCount) {
+  const auto report = nlohmann::ordered_json::parse(R"({"per_hole": [
+      {"area_m2": 0.01, "outcome": "left", "reason": "a reason"}, {"area_m2": -0.02, "outcome": "left"},
+      {"area_m2": 0.01, "outcome": "filled"}, {"area_m2": null, "outcome": "left"}, {"area_m2": 9, "outcome": "left"},
+      {"area_m2": 0.01, "outcome": "left", "reason": "left open by decision"},
+      {"area_m2": 0.01, "outcome": "left", "reason": "in a cell that was not chosen"}]})");
+  EXPECT_EQ(UncountedText(report),
+            "; 2 left open are smaller than 0.05 m2 and do not count; 1 left open by decision does not count");
+  EXPECT_EQ(UncountedText(nlohmann::ordered_json()), "");
 }
 
 TEST_F(LeftOpenTest, AnAreaThatIsNotKnownCounts) {

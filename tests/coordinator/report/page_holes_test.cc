@@ -25,6 +25,11 @@ TEST(PageHolesTest, ShowsThoseThatWereLeftFirstThenTheLargest) {
   EXPECT_EQ(PageHoles(report, 1).size(), 1);
 }
 
+TEST(PageHolesTest, AnAreaThatIsNotKnownIsNone) {
+  const Json report = Json::parse(R"({"per_hole": [{"id": 0, "area_m2": null, "outcome": "left"}]})");
+  EXPECT_TRUE(PageHoles(report, 1)[0]["area"].is_null());
+}
+
 TEST(PageHolesTest, RanksThemByTheirDoubtBeforeTheirArea) {
   const Json report = Json::parse(R"({"per_hole": [
       {"id": 0, "area_m2": 9, "outcome": "filled"},

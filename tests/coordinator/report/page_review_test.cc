@@ -62,26 +62,29 @@ TEST(PageReviewTest, AnItemHasThePolygonsOfAllItsHoles) {
 }
 
 // Else the next run would undo them.
-TEST(PageReviewTest, EarlierDecisionsAreKeptWithTheirLevelAndCluster) {
+TEST(PageReviewTest, EarlierDecisionsAreKeptAsTheyWereMade) {
   const auto decided = [](const std::string& properties, const std::string& geometry) {
     return R"({"type": "Feature", "properties": {)" + properties + R"(}, "geometry": )" + geometry + "}";
   };
   const std::string polygon = R"({"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 4], [0, 0]]]})";
   const std::string holes =
       R"({"features": [)" +
-      decided(R"("hole": 8, "cluster": 2, "decision": "water", "level_m": 10.7958984375, "sigma_m": 0.1)", polygon) +
-      "," + decided(R"("hole": 9, "decision": "open", "level_m": 3)", polygon) + "," +
+      decided(R"("hole": 8, "cluster": 2, "decision": "water", "level_m": 10.7958984375, "sigma_m": null)", polygon) +
+      "," + decided(R"("hole": 10, "decision": "water", "level_m": 11.25, "sigma_m": 1.3)", polygon) + "," +
+      decided(R"("hole": 9, "decision": "open", "level_m": 3)", polygon) + "," +
       decided(R"("hole": 7, "decision": null)", polygon) + "," +
       decided(R"("hole": 6, "decision": "accept")", R"({"type": "MultiLineString", "coordinates": []})") + "]}";
   const auto review = PageReview(Json::parse(kReview), holes, nullptr);
   ASSERT_TRUE(review.ok()) << review.status();
   const Json earlier = Json::parse(Unzipped((*review)["earlier"]));
-  ASSERT_EQ(earlier.size(), 2U);
+  ASSERT_EQ(earlier.size(), 3U);
   EXPECT_EQ(earlier[0]["properties"],
             Json({{"hole", 8}, {"cluster", 2}, {"decision", "water"}, {"level_m", 10.7958984375}}));
   EXPECT_EQ(earlier[0]["geometry"], Json::parse(polygon));
-  EXPECT_EQ(earlier[1]["properties"]["decision"], "open");
-  EXPECT_TRUE(earlier[1]["properties"]["level_m"].is_null()) << "a level says something of water alone";
+  EXPECT_EQ(earlier[1]["properties"]["decision"], "water");
+  EXPECT_TRUE(earlier[1]["properties"]["level_m"].is_null()) << "its shore told the level, and may tell another one";
+  EXPECT_EQ(earlier[2]["properties"]["decision"], "open");
+  EXPECT_TRUE(earlier[2]["properties"]["level_m"].is_null()) << "a level says something of water alone";
   EXPECT_EQ(Json::parse(Unzipped((*review)["outlines"])).count("7"), 1U);
 }
 
@@ -93,6 +96,13 @@ TEST(PageReviewTest, AReportOfAnotherFormHasNoQueue) {
     EXPECT_EQ(Unzipped((*review)["outlines"]), "{}");
   }
   EXPECT_FALSE(PageReview(Json::parse(kReview), "[", nullptr).ok());
+}
+
+TEST(PageReviewTest, EndsWhenItIsToStop) {
+  std::stop_source source;
+  source.request_stop();
+  const auto review = PageReview(Json::parse(kReview), Holes(), nullptr, source.get_token());
+  EXPECT_TRUE(absl::IsCancelled(review.status())) << review.status();
 }
 
 }  // namespace

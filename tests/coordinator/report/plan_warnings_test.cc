@@ -24,6 +24,15 @@ TEST(PlanWarningsTest, TenAreasThatAreNotTakenAreNamedAndTheRestCounted) {
   EXPECT_THAT(warnings.back(), HasSubstr("24 of 25 polygons are not taken"));
 }
 
+TEST(PlanWarningsTest, ADecisionIsNoPolygonForAReader) {
+  Plan plan;
+  plan.water_answers.assign(2, {"feature 0", true, false, {}, "no hole lies under it"});
+  plan.water_answers[1].label = "decision on hole 4";
+  plan.water_answers[1].decision = ReviewDecision::kWater;
+  EXPECT_THAT(PlanWarnings(plan), ElementsAre("polygon feature 0 is not taken: no hole lies under it",
+                                              "decision on hole 4 is not taken: no hole lies under it"));
+}
+
 TEST(PlanWarningsTest, SaysThatNoHoleLiesInTheArea) {
   Plan plan;
   EXPECT_THAT(PlanWarnings(plan), IsEmpty());

@@ -21,6 +21,15 @@ TEST(KeyInReportTest, IsEmptyWhereThereIsNone) {
   }
 }
 
+TEST(DecidedHolesInTest, CountsTheRowsWithADecision) {
+  EXPECT_EQ(DecidedHolesIn(R"({"decision": "open", "per_hole": [{"id": 0, "decision": "open"}, {"id": 1},
+                               {"water": {"decision": 1}, "decision": "water"}], "left": [{"decision": "open"}]})"),
+            2U);
+  for (const char* text : {"", "{", "[]", R"({"per_hole": [7]})", R"({"per_hole": [{"decision": "open"}])"}) {
+    EXPECT_EQ(DecidedHolesIn(text), 0U) << text;
+  }
+}
+
 TEST(JobInReportTest, HasItsOptionsWithTheirTypes) {
   const auto job = JobInReport(R"({"scene": "/s", "per_hole": [{"options": 1}], "files": {"water": "ab"},
                                    "options": {"cells": "1,2", "tension": 0.5, "overwrite": true}})");

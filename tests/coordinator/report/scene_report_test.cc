@@ -77,6 +77,20 @@ TEST_F(SceneReportTest, HasARowForEveryHoleInTheOrderOfThePlan) {
   EXPECT_EQ(rows[3]["reason"], "its boundary crosses itself");
 }
 
+TEST_F(SceneReportTest, OfHolesThatAreLeftTheRimTellsTheHeightAndTheAreaMayNotBeKnown) {
+  plan_.upright = true;
+  plan_.vertices.resize(2);
+  plan_.vertices[0].position = {0, 0, 1};
+  plan_.vertices[1].position = {4, 0, 2};
+  for (PlannedHole& hole : plan_.holes) hole.segments = {{0, 1, false}, {1, 0, false}};
+  plan_.holes[2].area = 0;
+  const Json rows = Report()["per_hole"];
+  EXPECT_FALSE(rows[0].contains("rim_height_m"));
+  EXPECT_EQ(rows[2]["rim_height_m"], 1.5);
+  EXPECT_TRUE(rows[2]["area_m2"].is_null());
+  EXPECT_EQ(rows[3]["area_m2"], 10.0);
+}
+
 TEST_F(SceneReportTest, TellsWhatIsLeftOfThePlanThenOfTilesThenOfHoles) {
   input_.outcome.unwritten = {{{0, 0}, "the tile is not written: disk", -1, 0}};
   const Json left = Report()["left"];

@@ -66,6 +66,27 @@ TEST(WaterChoiceTest, DecisionsComeLastAndCountByTheirContent) {
   EXPECT_TRUE(absl::IsNotFound(missing)) << missing;
 }
 
+TEST(WaterChoiceTest, ALevelFarFromAllSurfaceIsRefused) {
+  SurveyRecord low, high, empty;
+  low.lo = {0, 0, 80}, low.hi = {1, 1, 90};
+  high.lo = {1, 0, 85}, high.hi = {2, 1, 120};
+  empty.lo = {1, 0, 0}, empty.hi = {0, 0, 0};
+  const std::map<CellId, StoredRecord> records = {{{0, 0}, &low}, {{1, 0}, &high}, {{2, 0}, &empty}, {{3, 0}, nullptr}};
+  const auto check = [&](double level, bool water) {
+    WaterArea area;
+    area.water = water;
+    area.level = level;
+    area.label = "feature 7";
+    return CheckLevels({{}, area}, records);
+  };
+  for (const double level : {-920.0, 100.0, 1120.0}) EXPECT_TRUE(check(level, true).ok()) << level;
+  EXPECT_TRUE(check(99999, false).ok());
+  const absl::Status above = check(99999, true), below = check(-921, true);
+  EXPECT_TRUE(absl::IsInvalidArgument(above)) << above;
+  EXPECT_THAT(std::string(above.message()), HasSubstr("feature 7: its level_m is 99879.0 m above all surface"));
+  EXPECT_THAT(std::string(below.message()), HasSubstr("feature 7: its level_m is 1001.0 m below all surface"));
+}
+
 // What was taken out beyond the area would stay open.
 TEST(WaterChoiceTest, WhatIsClearedHasToLieInTheArea) {
   const auto box = [](double lo, double hi) { return PlanePolygon{{{{lo, lo}, {hi, lo}, {hi, hi}, {lo, hi}}}}; };

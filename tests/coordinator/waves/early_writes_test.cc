@@ -29,7 +29,7 @@ TEST(EarlyWritesTest, WritesEarlyBesideOtherWork) {
   const std::vector<SceneWork> beside = AllNow(waves);
   EXPECT_THAT(NamesOf(beside), ElementsAre("assemble +003_+000"));
   DoAll(beside, stages);
-  EXPECT_EQ(waves.cells_done(), 1);
+  EXPECT_EQ(waves.cells().done, 1);
   stages.Do(works[0]);
   stages.Do(works[1]);
   const std::vector<SceneWork> fills = AllNow(waves);
@@ -41,7 +41,7 @@ TEST(EarlyWritesTest, WritesEarlyBesideOtherWork) {
   DoAll(rest, stages);
   EXPECT_THAT(AllNow(waves), IsEmpty());
   EXPECT_TRUE(waves.done());
-  EXPECT_EQ(waves.cells_done(), 4);
+  EXPECT_EQ(waves.cells().done, 4);
 }
 
 TEST(EarlyWritesTest, WritesTilesWithoutHolesWhileOthersAreFilled) {

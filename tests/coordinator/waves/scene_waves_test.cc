@@ -52,7 +52,7 @@ TEST(SceneWavesTest, FillsAClusterOnlyWhenItsSurfaceIsKnown) {
   DoAll(assembles, stages);
   EXPECT_THAT(AllNow(waves), IsEmpty());
   EXPECT_TRUE(waves.done());
-  EXPECT_EQ(waves.cells_done(), 9);
+  EXPECT_EQ(waves.cells().done, 9);
   EXPECT_EQ(waves.outcome().sizes.size(), 9U);
 }
 
@@ -276,7 +276,7 @@ TEST(SceneWavesTest, WritesNoTileForACellThatNothingFills) {
   Stages stages(waves, scene);
   DoAll(AllNow(waves), stages);
   EXPECT_THAT(NamesOf(AllNow(waves)), ElementsAre("assemble +000_+000"));
-  EXPECT_EQ(waves.cells_done(), 1);
+  EXPECT_EQ(waves.cells().done, 1);
 }
 
 TEST(SceneWavesTest, GoesOnWithoutACellThatIsLeft) {
@@ -302,7 +302,7 @@ TEST(SceneWavesTest, GoesOnWithoutACellThatIsLeft) {
   EXPECT_THAT(names, Not(Contains("assemble +001_+001"))) << "the cell has no tile, and now no patch";
   ASSERT_EQ(waves.outcome().unwritten.size(), 1U);
   EXPECT_EQ(waves.outcome().unwritten[0].reason, "the tile is not written: the disk broke");
-  EXPECT_EQ(waves.cells_done(), 8);
+  EXPECT_EQ(waves.cells().done, 8);
 }
 
 // The cluster's surface is lost with one of its cells: the others get their heights from the layers.

@@ -58,6 +58,10 @@ TEST(CellMapTest, OfAJobOfAnEarlierProcessAllIsWrittenIfItWasDone) {
   JobCells job;
   job.state = JobState::kPartial;
   EXPECT_EQ(MapOf(job, &scene)["cells"], "w-");
+  EXPECT_EQ(MapOf(job, &scene)["isRemembered"], false);
+  job.state = JobState::kDone;
+  EXPECT_EQ(MapOf(job, &scene)["cells"], "w-");
+  EXPECT_EQ(MapOf(job, &scene)["isRemembered"], true);
   job.state = JobState::kCancelled;
   EXPECT_EQ(MapOf(job, &scene)["cells"], "?-");
   EXPECT_EQ(MapOf(job, &scene)["isRemembered"], false);

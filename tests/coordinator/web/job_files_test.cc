@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "common/util/error_info.h"
 #include "tests/support/temporary_folder.h"
@@ -13,6 +14,7 @@
 namespace tilemend {
 namespace {
 
+using ::testing::Each;
 using ::testing::HasSubstr;
 
 class JobFilesTest : public ::testing::Test {
@@ -173,6 +175,56 @@ TEST_F(JobFilesTest, GivesTheHolesAndTheReviewOfTheReport) {
   EXPECT_EQ(queue["review"]["z"], 0);
   folder_.Write("out/report.json", "no JSON");
   EXPECT_TRUE(absl::IsDataLoss(Await([&] { return files_.HolesOf("jobs/9", job_); }).status()));
+}
+
+TEST_F(JobFilesTest, AReportThatHasChangedIsReadAgain) {
+  job_.report = folder_.Write("out/report.json", R"({"per_hole": [{"id": 1}], "review": []})");
+  folder_.Write("out/holes.geojson", R"({"features": [], "crs": 1})");
+  const auto holes = [&] {
+    return nlohmann::json::parse(**Await([&] { return files_.HolesOf("jobs/1", job_); }))["holeCount"];
+  };
+  const auto crs = [&] {
+    return nlohmann::json::parse(**Await([&] { return files_.ReviewOf("jobs/1", job_); }))["review"]["crs"];
+  };
+  EXPECT_EQ(holes(), 1);
+  EXPECT_EQ(crs(), 1);
+  folder_.Write("out/report.json", R"({"per_hole": [{"id": 1}, {"id": 2}], "review": []})");
+  EXPECT_EQ(holes(), 2);
+  folder_.Write("out/holes.geojson", R"({"features": [], "crs": 2})");
+  EXPECT_EQ(crs(), 2);
+}
+
+TEST_F(JobFilesTest, TheOutputOfALaterJobIsNotShown) {
+  job_.report = folder_.Write("out/report.json", R"({"per_hole": []})");
+  folder_.Write("out/holes.geojson", R"({"features": []})");
+  const auto reasons = [&] {
+    return std::vector<std::string>{ErrorReason(Await([&] { return files_.HolesOf("jobs/1", job_); }).status()),
+                                    ErrorReason(Await([&] { return files_.ReviewOf("jobs/1", job_); }).status()),
+                                    Reason({0, 0}, true)};
+  };
+  job_.later_job = "jobs/2";
+  EXPECT_THAT(reasons(), Each("")) << "it has not begun to write";
+  std::filesystem::remove(folder_ / "out/report.json");
+  EXPECT_THAT(reasons(), Each("OUTPUT_REPLACED"));
+  folder_.Write("out/report.json", R"({"per_hole": []})");
+  job_.later_is_complete = true;
+  EXPECT_THAT(reasons(), Each("OUTPUT_REPLACED"));
+  EXPECT_EQ(Reason({0, 0}, false), "");
+}
+
+TEST_F(JobFilesTest, AReportOfAnotherSceneOrWithOtherDecisionsIsNotShown) {
+  job_.spec.set_decisions("/d.geojson");
+  folder_.Write("out/holes.geojson", R"({"features": []})");
+  const auto reason = [&](const std::string& scene, const std::string& decisions) {
+    const nlohmann::json report = {{"scene", scene}, {"options", {{"decisions", decisions}}}};
+    job_.report = folder_.Write("out/report.json", report.dump());
+    const std::string first = ErrorReason(Await([&] { return files_.HolesOf("jobs/1", job_); }).status());
+    EXPECT_EQ(ErrorReason(Await([&] { return files_.ReviewOf("jobs/1", job_); }).status()), first);
+    return first;
+  };
+  EXPECT_EQ(reason(job_.spec.scene(), "/d.geojson"), "");
+  EXPECT_EQ(reason(job_.spec.scene(), ""), "OUTPUT_REPLACED");
+  EXPECT_EQ(reason("/another", "/d.geojson"), "OUTPUT_REPLACED");
 }
 
 }  // namespace

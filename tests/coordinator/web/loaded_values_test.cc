@@ -14,7 +14,7 @@ namespace {
 using Ints = LoadedValues<int>;
 
 Ints::Load Giving(int value, int* calls = nullptr) {
-  return [=]() -> Ints::Result {
+  return [=](const std::stop_token&) -> Ints::Result {
     if (calls != nullptr) ++*calls;
     return std::make_shared<const int>(value);
   };
@@ -38,7 +38,7 @@ TEST(LoadedValuesTest, LoadsOnce) {
 TEST(LoadedValuesTest, DoesNotWaitForWhatTakesLong) {
   std::binary_semaphore go(0);
   Ints values(2);
-  const Ints::Load slow = [&]() -> Ints::Result {
+  const Ints::Load slow = [&](const std::stop_token&) -> Ints::Result {
     go.acquire();
     return std::make_shared<const int>(1);
   };
@@ -67,7 +67,7 @@ TEST(LoadedValuesTest, GivesEachOfTooManyItsTurn) {
   std::vector<bool> has(5, false);
   for (int round = 0; round < 50 && told < 5; ++round) {
     for (int k = 0; k < 5; ++k) {
-      const Ints::Load slow = [&calls, k]() -> Ints::Result {
+      const Ints::Load slow = [&calls, k](const std::stop_token&) -> Ints::Result {
         std::this_thread::sleep_for(kLoadingPatience * 2);
         ++calls;
         return std::make_shared<const int>(k);
@@ -87,7 +87,7 @@ TEST(LoadedValuesTest, RefusesMoreThanThereIsRoomFor) {
   std::counting_semaphore<8> go(0);
   std::atomic<int> calls = 0;
   Ints values(2);
-  const Ints::Load slow = [&]() -> Ints::Result {
+  const Ints::Load slow = [&](const std::stop_token&) -> Ints::Result {
     ++calls;
     go.acquire();
     return std::make_shared<const int>(1);
@@ -103,8 +103,26 @@ TEST(LoadedValuesTest, RefusesMoreThanThereIsRoomFor) {
 
 TEST(LoadedValuesTest, TellsAnErrorAndLoadsAgain) {
   Ints values(2);
-  EXPECT_TRUE(absl::IsNotFound(Await(values, "a", [] { return Ints::Result(absl::NotFoundError("a")); }).status()));
+  const Ints::Load failing = [](const std::stop_token&) { return Ints::Result(absl::NotFoundError("a")); };
+  EXPECT_TRUE(absl::IsNotFound(Await(values, "a", failing).status()));
   EXPECT_EQ(**Await(values, "a", Giving(2)), 2);
+}
+
+TEST(LoadedValuesTest, ItsEndStopsWhatIsLoaded) {
+  std::binary_semaphore begun(0);
+  bool was_stopped = false;
+  {
+    Ints values(2);
+    const Ints::Load endless = [&](const std::stop_token& stop) -> Ints::Result {
+      begun.release();
+      while (!stop.stop_requested()) std::this_thread::yield();
+      was_stopped = true;
+      return absl::CancelledError("stopped");
+    };
+    EXPECT_TRUE(absl::IsUnavailable(values.Find("a", endless).status()));
+    begun.acquire();
+  }
+  EXPECT_TRUE(was_stopped);
 }
 
 }  // namespace

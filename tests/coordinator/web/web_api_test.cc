@@ -174,6 +174,31 @@ TEST_F(WebApiTest, ShowsTheCellsOfARunningJob) {
   EXPECT_EQ(Get(job + "/cells/0,0/after").status, 404);
 }
 
+// Who downloads decisions from the page of an earlier job would undo those of the later one.
+TEST_F(WebApiTest, AnEarlierJobDoesNotShowTheOutputOfALaterOne) {
+  cluster_.AddWorker("w");
+  const std::string job = NewJob();
+  ASSERT_EQ(cluster_.WaitFor(job.substr(4)).state(), v1::DONE);
+  HttpAnswer holes;
+  do {
+    holes = Get(job + "/holes");
+  } while (holes.status == 503);
+  EXPECT_EQ(holes.status, 200) << holes.body;
+  const std::string later =
+      Json::parse(Post(job + "/retry", "ann", R"({"overwrite": true})").body)["name"].get<std::string>();
+  ASSERT_EQ(cluster_.WaitFor(later).state(), v1::DONE);
+  for (const char* what : {"/holes", "/review", "/cells/0,0/after"}) {
+    const HttpAnswer answer = Get(job + what);
+    EXPECT_EQ(answer.status, 409) << what;
+    const Json error = Json::parse(answer.body)["error"];
+    EXPECT_EQ(error["reason"], "OUTPUT_REPLACED") << what;
+    EXPECT_EQ(absl::StrCat("jobs/", error["metadata"]["job"].get<std::string>()), later) << what;
+    EXPECT_THAT(error["message"].get<std::string>(), HasSubstr("written again by " + later)) << what;
+  }
+  EXPECT_NE(Get(job + "/cells/0,0/before").status, 409);
+  EXPECT_EQ(Get(job).status, 200);
+}
+
 TEST_F(WebApiTest, ShowsTheLogLinesOfAJob) {
   const std::string job = NewJob();
   EXPECT_EQ(Json::parse(Get(job + "/log").body)["lines"], Json::array());

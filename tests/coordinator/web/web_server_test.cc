@@ -59,6 +59,10 @@ TEST_F(WebServerTest, AnotherSiteMayNotCall) {
               StartsWith("HTTP/1.1 403 "));
   // A name that leads here: DNS rebinding.
   EXPECT_THAT(Ask("GET /v1/jobs HTTP/1.1\r\nHost: evil.example:80"), StartsWith("HTTP/1.1 421 "));
+  for (const char* host :
+       {"[evil.example]", "[::1", "[]", "[127.0.0.1]", "[::1].evil.example", "127.0.0.1.evil.example"}) {
+    EXPECT_THAT(Ask(std::string("GET /v1/jobs HTTP/1.1\r\nHost: ") + host), StartsWith("HTTP/1.1 421 ")) << host;
+  }
   EXPECT_THAT(Ask("GET /v1/jobs HTTP/1.1"), StartsWith("HTTP/1.1 421 "));
   EXPECT_THAT(Ask("POST / HTTP/1.1\r\nHost: localhost\r\nContent-Length: 0"), StartsWith("HTTP/1.1 405 "));
 }

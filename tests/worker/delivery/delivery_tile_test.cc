@@ -3,6 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "tests/support/osgb_scene.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/tileset_scene.h"
@@ -51,6 +56,15 @@ TEST(DeliveryOfTreeTest, FillsHaveTheirColourAndVerticesTheirBits) {
     const DeliverySurface& fill = tile.pieces.back().surfaces.back();
     EXPECT_EQ(fill.image, -1);
     EXPECT_EQ(fill.colour, (Rgb{98, 93, 72})) << name;
+    EXPECT_FALSE(fill.is_filled) << "nobody says so";
+    std::vector<int32_t> new_geometries(before.pieces.size());
+    new_geometries.back() = 1;
+    const DeliveryTile marked = DeliveryOfTree(*ReadTileTree(changed, name), DeliveryLevels::kFinest, new_geometries);
+    for (const DeliveryPiece& piece : marked.pieces) {
+      for (const DeliverySurface& surface : piece.surfaces) {
+        EXPECT_EQ(surface.is_filled, surface.colour == fill.colour && surface.image < 0) << name;
+      }
+    }
     if (osgb) {
       EXPECT_EQ(fill.mesh.points, points);
     }
@@ -83,6 +97,48 @@ TEST(DeliveryOfObjTest, ImagesAndColoursOfTheMaterialsAreTaken) {
   EXPECT_EQ(tile->pieces[0].surfaces[1].uv.size(), 3u);
 }
 
+TEST(DeliveryOfObjTest, FacesOfTheGroupAreFilled) {
+  const TemporaryFolder folder;
+  const std::string obj =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nusemtl red\nf 1 2 3\ng tilemend_filled\nf 2 4 3\nusemtl blue\nf 1 2 4\n"
+      "g other\nf 1 4 3\n";
+  const std::vector<FillMaterial> materials = {{"red", {255, 0, 0}}, {"blue", {0, 0, 255}}};
+  const auto tile = DeliveryOfObj(obj, {folder.path(), "a.obj", materials, ""});
+  ASSERT_TRUE(tile.ok()) << tile.status();
+  std::map<std::pair<int, bool>, size_t> triangles;  // by blue, and whether they are filled
+  for (const DeliverySurface& surface : tile->pieces.at(0).surfaces) {
+    triangles[{surface.colour.b, surface.is_filled}] += surface.mesh.triangles.size();
+  }
+  EXPECT_EQ(triangles, (std::map<std::pair<int, bool>, size_t>{
+                           {{0, false}, 1}, {{0, true}, 1}, {{255, false}, 1}, {{255, true}, 1}}));
+}
+
+TEST(DeliveryOfObjTest, VerticesKeepTheirColoursWhereNoMaterialIsInForce) {
+  const TemporaryFolder folder;
+  const std::string vertices = "v 0 0 0 0 0.2 0\nv 1 0 0 0 0.4 0\nv 0 1 0 0 0.6 0\nv 1 1 0 1 1 1\nf 1 2 3\n";
+  const std::vector<FillMaterial> materials = {{"fill", {9, 9, 9}}};
+  auto tile =
+      DeliveryOfObj(vertices + "g tilemend_filled\nusemtl fill\nf 2 4 3\n", {folder.path(), "a.obj", materials, ""});
+  ASSERT_TRUE(tile.ok()) << tile.status();
+  ASSERT_EQ(tile->pieces.at(0).surfaces.size(), 2u);
+  const DeliverySurface& own = tile->pieces[0].surfaces[0];
+  EXPECT_THAT(own.colours, testing::ElementsAre(Rgb{0, 51, 0}, Rgb{0, 102, 0}, Rgb{0, 153, 0}));
+  EXPECT_EQ(own.colour, (Rgb{0, 102, 0}));
+  EXPECT_TRUE(tile->pieces[0].surfaces[1].colours.empty());
+  EXPECT_EQ(tile->pieces[0].surfaces[1].colour, (Rgb{9, 9, 9}));
+  EXPECT_THAT(tile->warnings, testing::IsEmpty());
+  DropVertexColours(*tile);
+  EXPECT_TRUE(own.colours.empty());
+  EXPECT_THAT(tile->warnings, testing::ElementsAre(HasSubstr("colours of vertices are not written in this format")));
+  DropVertexColours(*tile);
+  EXPECT_EQ(tile->warnings.size(), 1u);
+  folder.Write("a.mtl", "newmtl red\nKd 1 0 0\n");
+  const auto under =
+      DeliveryOfObj("mtllib a.mtl\n" + vertices + "usemtl red\nf 2 4 3\n", {folder.path(), "a.obj", {}, ""});
+  ASSERT_TRUE(under.ok()) << under.status();
+  EXPECT_THAT(under->warnings, testing::ElementsAre(HasSubstr("where faces have a material")));
+}
+
 TEST(DeliveryOfObjTest, AMissingOrUnknownImageIsAColour) {
   const TemporaryFolder folder;
   folder.Write("a.mtl", "newmtl roof\nmap_Kd roof.tif\n");
@@ -102,6 +158,7 @@ TEST(DeliveryOfColoursTest, EachRunIsASurface) {
   ASSERT_EQ(tile.pieces.at(0).surfaces.size(), 2u);
   EXPECT_EQ(tile.pieces[0].surfaces[1].colour, (Rgb{4, 5, 6}));
   EXPECT_EQ(tile.pieces[0].surfaces[1].mesh.points.size(), 3u);
+  EXPECT_TRUE(tile.pieces[0].surfaces[1].is_filled);
 }
 
 TEST(ImageEndingTest, IsToldByTheFirstBytes) {

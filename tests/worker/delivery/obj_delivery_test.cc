@@ -40,8 +40,29 @@ TEST(ObjDeliveryTest, AColourIsAMaterial) {
   const std::vector<ColourRun> runs = {{0, {255, 0, 0}}};
   const std::vector<DeliveryFile> files = ObjFilesOf(DeliveryOfColours(mesh, runs), "a");
   ASSERT_EQ(files.size(), 2u);
-  EXPECT_EQ(files[0].bytes, "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl colour_ff0000\nf 1 2 3\n");
+  EXPECT_EQ(files[0].bytes,
+            "mtllib a.mtl\ng tilemend_filled\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl colour_ff0000\nf 1 2 3\n");
   EXPECT_EQ(files[1].bytes, "newmtl colour_ff0000\nKd 1.000000 0.000000 0.000000\n");
+}
+
+TEST(ObjDeliveryTest, FilledSurfaceIsTheGroupAtTheEnd) {
+  DeliverySurface own, filled;
+  own.mesh = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  filled.mesh = {{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  filled.is_filled = true;
+  DeliveryTile tile;
+  tile.pieces.resize(2);
+  tile.pieces[0].surfaces = {filled, own};
+  tile.pieces[1].surfaces = {own, filled};
+  const std::string obj = ObjFilesOf(tile, "a")[0].bytes;
+  const auto read = ParseTexturedObj(obj, "a.obj");
+  ASSERT_TRUE(read.ok()) << read.status();
+  ASSERT_EQ(read->textures.groups.size(), 1u);
+  EXPECT_EQ(read->textures.groups[0].first, 2);
+  EXPECT_TRUE(read->textures.groups[0].is_filled);
+  for (const size_t t : {size_t{2}, size_t{3}}) {
+    EXPECT_EQ(read->file.mesh.points.at(static_cast<size_t>(read->file.mesh.triangles.at(t)[1])), Point3(1, 1, 0));
+  }
 }
 
 }  // namespace

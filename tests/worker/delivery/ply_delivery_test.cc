@@ -12,6 +12,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // Two triangles that share an edge, with an image and in one colour.
 DeliveryTile TwoSurfaces(double x) {
@@ -72,6 +73,41 @@ TEST(PlyDeliveryTest, WithoutImagesVerticesHaveTheColours) {
   ASSERT_TRUE(colours.ok()) << colours.status();
   EXPECT_EQ((*colours)[0], (Rgb{1, 2, 3}));
   EXPECT_EQ((*colours)[3], (Rgb{4, 5, 6}));
+}
+
+TEST(PlyDeliveryTest, VerticesHaveColoursOfTheirOwn) {
+  DeliveryTile tile;
+  DeliverySurface own{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, {}, -1, {9, 9, 9}};
+  own.colours = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+  DeliverySurface other{{{{0, 1, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1, 2}}}, {}, -1, {4, 5, 6}};
+  tile.pieces.emplace_back().surfaces = {own, other};
+  const auto files = PlyFilesOf(tile, "a");
+  ASSERT_TRUE(files.ok()) << files.status();
+  const auto colours = PlyVertexColours(files->at(0).bytes, {0, 1, 2, 3, 4}, "a");
+  ASSERT_TRUE(colours.ok()) << colours.status();
+  EXPECT_THAT(*colours, ElementsAre(Rgb{1, 2, 3}, Rgb{4, 5, 6}, Rgb{7, 8, 9}, Rgb{4, 5, 6}, Rgb{4, 5, 6}));
+  EXPECT_EQ(ReadPly(files->at(0)).mesh.points.size(), 5U) << "what has the same colour is shared";
+}
+
+TEST(PlyDeliveryTest, FilledFacesAreMarked) {
+  for (const bool has_images : {true, false}) {
+    DeliveryTile tile = TwoSurfaces(0.5);
+    if (!has_images) {
+      tile.images.clear();
+      tile.pieces[0].surfaces[0].image = -1;
+      tile.pieces[0].surfaces[0].uv.clear();
+    }
+    EXPECT_THAT(PlyFilesOf(tile, "a")->at(0).bytes, Not(HasSubstr("tilemend_filled")));
+    tile.pieces[0].surfaces[1].is_filled = true;
+    const auto files = PlyFilesOf(tile, "a");
+    ASSERT_TRUE(files.ok()) << files.status();
+    const std::string& bytes = files->at(0).bytes;
+    EXPECT_THAT(bytes, HasSubstr("property uchar tilemend_filled\nend_header\n"));
+    EXPECT_EQ(ReadPly(files->at(0)).mesh.triangles.size(), 2U);
+    const size_t face = has_images ? 1 + 3 * 4 + 1 + 6 * 4 + 4 + 1 : 1 + 3 * 4 + 1;
+    EXPECT_EQ(bytes[bytes.size() - face - 1], '\0');
+    EXPECT_EQ(bytes.back(), '\1');
+  }
 }
 
 }  // namespace

@@ -38,6 +38,25 @@ TEST(SurveyWithLookTest, SeesTheColoursOfAPly) {
   EXPECT_THAT(survey->record.colours, ElementsAre(Rgb{1, 1, 1}, Rgb{2, 2, 2}, Rgb{3, 3, 3}));
 }
 
+TEST(SurveyWithLookTest, SeesTheColoursOfTheVerticesOfAnObj) {
+  const std::string text = "v 0 0 0 0.2 0.6 0.4\nv 1 0 0 0.2 0.6 0.4\nv 0 1 0 0 0 1\nf 1 2 3\n";
+  const auto survey = SurveyWithLook("/nowhere", "T.obj", text, MeshFormat::kObj);
+  ASSERT_TRUE(survey.ok()) << survey.status();
+  EXPECT_THAT(survey->record.colours, ElementsAre(Rgb{51, 153, 102}, Rgb{51, 153, 102}, Rgb{0, 0, 255}));
+}
+
+TEST(SurveyWithLookTest, SeesTheColoursOfTheFacesOfAPly) {
+  const auto survey = SurveyWithLook(
+      "/nowhere", "T.ply",
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 2\nproperty list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\n"
+      "property uchar blue\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 1 2 3\n3 0 2 3 4 5 6\n",
+      MeshFormat::kPly);
+  ASSERT_TRUE(survey.ok()) << survey.status();
+  EXPECT_THAT(survey->record.colours, ElementsAre(Rgb{1, 2, 3}, Rgb{1, 2, 3}, Rgb{4, 5, 6}, Rgb{4, 5, 6}))
+      << "of the face at the edge that begins there";
+}
+
 TEST(SurveyWithLookTest, APlainMeshHasNeither) {
   for (const auto& [text, format] :
        {std::pair{kSquare + "f 1 2 3 4\n", MeshFormat::kObj},

@@ -88,6 +88,11 @@ TEST(WeldRimsTest, SplitsEdgesWhereVerticesLieBesideThem) {
       const Weld weld = WeldOf(mesh, 0.05);
       EXPECT_THAT(weld.record.split, SizeIs(static_cast<size_t>(8 * (more - 1))));
       EXPECT_EQ(weld.triangles.size(), mesh.triangles.size() + static_cast<size_t>(8 * (more - 1)));
+      ASSERT_THAT(weld.cut_from, SizeIs(static_cast<size_t>(8 * (more - 1))));
+      for (size_t k = 0; k < weld.cut_from.size(); ++k) {
+        const Triangle &half = weld.triangles[mesh.triangles.size() + k], &whole = mesh.triangles[weld.cut_from[k]];
+        EXPECT_TRUE(std::ranges::any_of(half, [&](int32_t v) { return std::ranges::count(whole, v) > 0; })) << k;
+      }
       EXPECT_EQ(OpenEdges(ExpectSound(mesh, weld)), static_cast<size_t>(20 + 20 * more));
     }
   }

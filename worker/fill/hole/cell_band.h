@@ -20,7 +20,14 @@ class CellBand {
     for (size_t t = 0; t < cell.band.triangles.size(); ++t) {
       for (const int32_t v : cell.band.triangles[t]) at_[v].push_back(static_cast<int32_t>(t));
     }
+    passes_.resize(cell.vertices.size());
+    for (const CellHole& hole : cell.holes) {
+      for (const RimSegment& s : hole.segments) ++passes_[s.from];
+    }
   }
+
+  // How often boundaries of the cell's holes come by a rim vertex.
+  int Passes(int32_t vertex) const { return passes_[vertex]; }
 
   // Takes note of the edges inside a patch that run between rim vertices.
   void Add(const CellHole& hole, const HolePatch& patch) {
@@ -72,6 +79,7 @@ class CellBand {
  private:
   const CellHoles& cell_;
   std::vector<std::vector<int32_t>> at_;
+  std::vector<int> passes_;
   std::set<std::pair<int32_t, int32_t>> patched_;
 };
 

@@ -52,7 +52,8 @@ class WallRaiser {
     }
   }
 
-  // Of each vertex: whether the boundary comes by once, and not to and fro along one edge.
+  // Of each vertex: whether the boundary comes by once, and not to and fro along one edge, and no other hole's does.
+  // Two walls that stand on one foot would share an edge of four triangles.
   std::vector<bool> SimplePasses() const {
     std::vector<int> passes(hole_.vertices.size(), 0);
     for (const RegionSegment& s : hole_.segments) ++passes[s.from];
@@ -61,7 +62,10 @@ class WallRaiser {
         passes[hole_.boundary[k].first] = passes[hole_.boundary[k].second] = 0;
     }
     std::vector<bool> simple;
-    for (const int n : passes) simple.push_back(n == 1);
+    for (int32_t v = 0; v < hole_.size(); ++v) {
+      const int32_t in_cell = hole_.vertices[v];
+      simple.push_back(passes[v] == 1 && (in_cell < 0 || hole_.band->Passes(in_cell) <= 1));
+    }
     return simple;
   }
 

@@ -69,6 +69,21 @@ TEST(ChangeGltfTest, FollowsTheShadingOfTheNode) {
   EXPECT_EQ(json["extensionsUsed"].dump(), R"(["KHR_materials_unlit"])");
 }
 
+TEST(ChangeGltfTest, NewNodesHaveTheHighestNumbers) {
+  GltfSample sample = SquareSample();
+  sample.json["nodes"] = OrderedJson::parse(R"([{"mesh": 0}, {"children": [0]}, {"mesh": 0}])");
+  sample.json["scenes"][0]["nodes"] = OrderedJson::parse("[1, 2]");
+  const std::string bytes = sample.Glb();
+  GltfEdit edit;
+  edit.patches = {GltfTriangle(ReadGltfSample(bytes), 0)};
+  const GltfFile after = ReadGltfSample(Changed(bytes, edit));
+  ASSERT_EQ(after.nodes.size(), 3u) << "beside the node of the patch, not at the end";
+  EXPECT_EQ(after.nodes[0].number, 0);
+  EXPECT_EQ(after.nodes[1].number, 3);
+  EXPECT_EQ(after.nodes[2].number, 2);
+  EXPECT_EQ(after.primitives.at(1).triangle_count, 1);
+}
+
 TEST(ChangeGltfTest, TakesOutWholeMeshes) {
   const std::string bytes = SquareSample().Glb();
   const GltfFile file = ReadGltfSample(bytes);

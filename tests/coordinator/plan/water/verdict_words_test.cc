@@ -52,6 +52,12 @@ TEST(DecidedByTest, NamesTheArea) {
   EXPECT_EQ(DecidedBy(area), "'pond' says that it is water");
   area.water = false;
   EXPECT_EQ(DecidedBy(area), "'pond' says that it is no water");
+  area.label = "decision on hole 4";
+  area.decision = ReviewDecision::kGround;
+  EXPECT_EQ(DecidedBy(area), "your decision on hole 4: ground");
+  area.decision = ReviewDecision::kWater;
+  area.water = true;
+  EXPECT_EQ(DecidedBy(area), "your decision on hole 4: water");
 }
 
 }  // namespace

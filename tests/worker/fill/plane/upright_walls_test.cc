@@ -20,7 +20,9 @@ class UprightWallsTest : public ::testing::Test {
  protected:
   UprightWallsTest() {
     cell_.lattice_step = 1.0 / 1024;
+    cell_.vertices.resize(4);
     hole_.cell = &cell_;
+    hole_.band = &band_;
     hole_.own_outline = true;
     hole_.has_equation.assign(5, true);
     hole_.positions = {{0, 0, 5}, {8, 0, 5.25}, {8, 8, 2}, {0, 8, 1}};
@@ -51,6 +53,8 @@ class UprightWallsTest : public ::testing::Test {
   }
 
   CellHoles cell_;
+  const CellHoles alone_{.vertices = std::vector<RimVertex>(4)};
+  const CellBand band_{alone_};
   LocalHole hole_;
   LocalPatch patch_;
   const std::vector<double> ground_ = {1.3, 1.7, 2, 1};
@@ -123,6 +127,19 @@ TEST_F(UprightWallsTest, AreNoHigherThanTheHoleIsWide) {
   hole_.positions[0].z() = 20;
   RaiseWalls(hole_, ground_, patch_);
   EXPECT_THAT(patch_.new_points, SizeIs(2)) << "under the other object only";
+}
+
+TEST_F(UprightWallsTest, StandNotWhereAnotherHoleTouchesTheRim) {
+  CellHoles touching;
+  touching.vertices.resize(4);
+  touching.holes.resize(2);
+  for (CellHole& hole : touching.holes) hole.segments = {{0, 2}, {2, 0}};
+  touching.holes[0].segments.push_back({1, 1});
+  const CellBand band(touching);
+  hole_.band = &band;
+  const std::vector<int32_t> feet = RaiseWalls(hole_, ground_, patch_);
+  EXPECT_EQ(feet[0], -1);
+  EXPECT_NE(feet[1], -1);
 }
 
 TEST_F(UprightWallsTest, StandNowhereWithoutObjects) {

@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""tilemend.read_report, and what a report becomes in pandas and GeoPandas: report_test.py BIN PACKAGE"""
+import json
+import math
+import os
+import sys
+import tempfile
+import unittest
+
+PACKAGE = sys.argv[2] if len(sys.argv) > 2 else None
+sys.path.insert(0, PACKAGE)
+import tilemend  # noqa: E402
+
+EMPTY = dict.fromkeys(('per_hole', 'left', 'warnings', 'water', 'look_at'), [])
+
+
+def need(test, name):
+    try:
+        return __import__(name)
+    except ImportError:
+        print(f'SKIPPED: {test.id().rsplit(".", 1)[1]}: there is no {name}')
+        test.skipTest(f'there is no {name}')
+
+
+class ReportTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix='tilemend-report-')
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def write(self, name, data):
+        with open(os.path.join(self.folder, name), 'w', encoding='utf-8') as file:
+            json.dump(data, file)
+
+    def test_says_what_is_missing(self):
+        for path, text in ((self.folder, 'report.json: no such file; an output without it is not complete'),
+                           (self.folder + '/none', '/none: no such folder'),
+                           (self.folder + '/none/report.json', '/none: no such folder'),
+                           (self.folder + '/other.json', 'other.json: no such file'),
+                           ('nope', 'nope: no such folder'), ('nope.json', 'nope.json: no such file')):
+            with self.assertRaises(tilemend.NotFound) as caught:
+                tilemend.read_report(path)
+            self.assertTrue(str(caught.exception).endswith(text), str(caught.exception))
+
+    def test_bad_files_are_refused_by_name(self):
+        path = os.path.join(self.folder, 'report.json')
+        for text, fault in ((b'{', 'is not JSON'), (b'\xff', 'is not JSON'), (b'[]', 'expected an object, found list'),
+                            (b'[' * 100000, 'is not JSON'), (b'{"per_hole": 3}', 'it has no list "per_hole"'),
+                            (json.dumps({'per_hole': []}).encode(), 'it has no list "left"'),
+                            (json.dumps(dict(EMPTY, review={})).encode(), 'it has no list "review"')):
+            with open(path, 'wb') as file:
+                file.write(text)
+            with self.assertRaisesRegex(tilemend.InvalidInput, fault):
+                tilemend.read_report(path)
+
+    def test_reads_a_report_without_newer_lists(self):
+        self.write('report.json', dict(EMPTY, warnings=['w']))
+        report = tilemend.read_report(self.folder)
+        self.assertEqual((report.review, report.levels, report.cleared), ([], [], {}))
+        self.assertEqual(repr(report), f"Report('{self.folder}/report.json': 0 holes filled, 0 left, 0 to review, 1 warning)")
+        with self.assertRaisesRegex(tilemend.NotFound, 'holes.geojson: no such file'):
+            report.write_decisions(os.path.join(self.folder, 'd.geojson'), {})
+
+    def test_a_table_begins_with_the_place_and_has_one_empty_value(self):
+        need(self, 'pandas')
+        hole = {'id': 0, 'cell': [2, 1], 'kind': 'I', 'area_m2': 3.5, 'centre': [1, 2], 'outcome': 'filled'}
+        self.write('report.json', dict(EMPTY, per_hole=[hole, dict(hole, id=1, reason='why', water={'taken_for': 'lake'})]))
+        table = tilemend.read_report(self.folder).holes_table()
+        self.assertEqual(list(table), ['column', 'row', 'x', 'y', 'kind', 'area_m2', 'outcome', 'taken_for', 'reason'])
+        self.assertEqual(list(table.loc[0, ['column', 'row', 'taken_for', 'reason']]), [2, 1, None, None])
+        self.write('report.json', dict(EMPTY, per_hole=[hole, dict(hole, id=1, centre=[1, 2, 3])]))
+        self.assertEqual(tilemend.read_report(self.folder).holes_table()['z'][1], 3)
+
+    def test_a_map_has_one_empty_value_for_each_column(self):
+        need(self, 'geopandas')
+        square = {'type': 'Polygon', 'coordinates': [[[0, 0], [1, 0], [1, 1], [0, 0]]]}
+        empty = dict.fromkeys(('reason', 'water', 'level_m', 'cluster', 'taken_for', 'sigma_m'))
+        rows = [dict(empty, hole=0), dict(empty, hole=1, taken_for='lake', sigma_m=0.5)]
+        self.write('report.json', EMPTY)
+        self.write('holes.geojson', {'type': 'FeatureCollection', 'features': [
+            {'type': 'Feature', 'properties': row, 'geometry': square} for row in rows]})
+        holes = tilemend.read_report(self.folder).holes_map()
+        for name in ('reason', 'water', 'taken_for'):
+            self.assertIsNone(holes[name][0], name)
+        for name in ('level_m', 'cluster', 'sigma_m'):
+            self.assertTrue(math.isnan(holes[name][0]), name)
+        self.assertEqual((holes['taken_for'][1], holes['sigma_m'][1]), ('lake', 0.5))
+
+
+if __name__ == '__main__':
+    unittest.main(argv=sys.argv[:1], verbosity=1)
