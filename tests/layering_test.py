@@ -198,7 +198,7 @@ RULES = {
          'coordinator/plan/seam', 'coordinator/plan/water', 'coordinator/plan/colour', 'coordinator/plan'],
         ['absl', 'eigen'], pure=True),
 
-    'coordinator/check': rule(['common/mesh', 'common/records'], ['absl', 'eigen'], pure=True),
+    'coordinator/check': rule(['common/util', 'common/mesh', 'common/records'], ['absl', 'eigen'], pure=True),
 
     'coordinator/report': rule(
         ['common/util', 'common/mesh', 'common/mesh/winding', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/codec/tiles3d', 'common/store',

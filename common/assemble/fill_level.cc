@@ -15,6 +15,7 @@
 #include "common/assemble/level_outline.h"
 #include "common/assemble/level_region.h"
 #include "common/assemble/plan_view.h"
+#include "common/mesh/clear_area.h"
 #include "common/mesh/triangulation/region_triangulation.h"
 #include "common/mesh/winding/wound_region.h"
 
@@ -143,20 +144,20 @@ class LevelFiller {
     return spaced;
   }
 
-  // Components that lie for the most part on the finest patch or where the level was cleared.
+  // Components that lie somewhere on the finest patch or where the level was cleared. Others are holes that the level
+  // has beside the patch, where the finest level has none.
   std::vector<bool> WantedComponents(const RegionTriangulation& mesh) const {
-    std::vector<double> on(mesh.component_count, 0), all(mesh.component_count, 0);
+    std::vector<bool> wanted(static_cast<size_t>(mesh.component_count), false);
     for (size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const Triangle& triangle = mesh.triangles[t];
-      const Point2 a = region_.At(triangle[0]), b = region_.At(triangle[1]), c = region_.At(triangle[2]);
-      const Point2 u = b - a, v = c - a, middle = (a + b + c) / 3;
-      const double area = u.x() * v.y() - u.y() * v.x();
-      all[mesh.component[t]] += area;
-      if (on_patch_.Covers(middle) || on_cleared_.Covers(middle)) on[mesh.component[t]] += area;
+      const auto component = static_cast<size_t>(mesh.component[t]);
+      if (!wanted[component]) wanted[component] = MeetsPatch(mesh.triangles[t]);
     }
-    std::vector<bool> wanted;
-    for (int32_t i = 0; i < mesh.component_count; ++i) wanted.push_back(on[i] > 0.5 * all[i]);
     return wanted;
+  }
+
+  bool MeetsPatch(const Triangle& t) const {
+    const TrianglePoints points = PointsIn(region_.At(t[0]), region_.At(t[1]), region_.At(t[2]));
+    return std::ranges::any_of(points, [&](const Point2& p) { return on_patch_.Covers(p) || on_cleared_.Covers(p); });
   }
 
   // The number of a point of the region among the level's vertices and the new ones.

@@ -1,6 +1,9 @@
 #include "common/grid/area_shares.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
+#include <map>
 #include <utility>
 
 namespace tilemend {
@@ -69,6 +72,42 @@ void AddStrip(const std::vector<Crossing>& crossings, double height, double* sha
   }
 }
 
+// The cells that meet the bounds of the area, row by row.
+std::vector<CellId> CellsInBounds(const PlanePolygon& area, const Grid& grid, std::span<const CellId> cells) {
+  Point2 lo = Point2::Constant(std::numeric_limits<double>::infinity()), hi = -lo;
+  for (const std::vector<Point2>& ring : area.rings) {
+    for (const Point2& p : ring) {
+      lo = lo.cwiseMin(p);
+      hi = hi.cwiseMax(p);
+    }
+  }
+  std::vector<CellId> found;
+  std::copy_if(cells.begin(), cells.end(), std::back_inserter(found), [&](CellId cell) {
+    const Point2 low = grid.corner + Point2(cell.col, cell.row).cwiseProduct(grid.cell_size);
+    return (hi.array() >= low.array()).all() && (lo.array() <= (low + grid.cell_size).array()).all();
+  });
+  std::sort(found.begin(), found.end(),
+            [](CellId a, CellId b) { return std::pair(a.row, a.col) < std::pair(b.row, b.col); });
+  return found;
+}
+
+// Cells that are sorted row by row as rectangles: runs of a row, each with equal runs of the rows above it.
+std::vector<Squares> RectanglesOf(const std::vector<CellId>& cells) {
+  std::vector<Squares> done;
+  std::map<std::pair<int32_t, int32_t>, Squares> growing;  // by the columns [from, to)
+  for (size_t i = 0; i < cells.size();) {
+    size_t end = i + 1;
+    while (end < cells.size() && cells[end].row == cells[i].row && cells[end].col == cells[end - 1].col + 1) ++end;
+    const Squares run{cells[i], {cells[end - 1].col + 1, cells[i].row + 1}};
+    Squares& rectangle = growing.try_emplace({run.from.col, run.to.col}, run).first->second;
+    if (rectangle.to.row < run.from.row) done.push_back(std::exchange(rectangle, run));
+    rectangle.to = run.to;
+    i = end;
+  }
+  for (const auto& [columns, rectangle] : growing) done.push_back(rectangle);
+  return done;
+}
+
 }  // namespace
 
 std::vector<double> SharesOf(const PlanePolygon& area, const Grid& grid, const Squares& squares) {
@@ -91,6 +130,14 @@ std::vector<double> SharesOf(const PlanePolygon& area, const Grid& grid, const S
     AddStrip(crossings, knots[k + 1] - knots[k], shares.data() + row, squares.cols());
   }
   return shares;
+}
+
+double AreaInCells(const PlanePolygon& area, const Grid& grid, std::span<const CellId> cells) {
+  double squares = 0;
+  for (const Squares& rectangle : RectanglesOf(CellsInBounds(area, grid, cells))) {
+    for (const double share : SharesOf(area, grid, rectangle)) squares += share;
+  }
+  return squares * grid.cell_size.prod();
 }
 
 }  // namespace tilemend

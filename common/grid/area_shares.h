@@ -3,6 +3,7 @@
 #define TILEMEND_COMMON_GRID_AREA_SHARES_H_
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "common/grid/scene.h"
@@ -17,8 +18,12 @@ struct Squares {
 };
 
 // The share of each of the squares that is inside the area, 0 to 1, row by row. Exact but for rounding if the rings do
-// not cross. Precondition: the area lies in the squares. Cost O((points + rows) * (edges at one height + columns)).
+// not cross. What lies beyond the squares is not counted. Cost O((points + rows) * (edges at one height + columns)).
 std::vector<double> SharesOf(const PlanePolygon& area, const Grid& grid, const Squares& squares);
+
+// How much of the area lies in `cells`, each of which is there once, in the unit of the grid squared. Cost as SharesOf
+// for each rectangle of cells that the rows of `cells` make up.
+double AreaInCells(const PlanePolygon& area, const Grid& grid, std::span<const CellId> cells);
 
 }  // namespace tilemend
 

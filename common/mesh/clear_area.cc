@@ -7,9 +7,6 @@
 namespace tilemend {
 namespace {
 
-// A triangle is tested at 36 points: the centroids of the triangles that point up when each side is cut into 8.
-constexpr int kPartsOfSide = 8;
-
 struct Bounds {
   Point3 lo, hi;
 };
@@ -24,16 +21,10 @@ Bounds BoundsOf(const TriMesh& mesh, const Triangle& t) {
 }
 
 double ShareInside(const TriMesh& mesh, const Triangle& t, const PolygonIndex& polygon) {
-  const Point2 a = mesh.points[t[0]].head<2>();
-  const Point2 u = (mesh.points[t[1]].head<2>() - a) / kPartsOfSide,
-               v = (mesh.points[t[2]].head<2>() - a) / kPartsOfSide;
-  int inside = 0, all = 0;
-  for (int i = 0; i < kPartsOfSide; ++i) {
-    for (int j = 0; i + j < kPartsOfSide; ++j, ++all) {
-      inside += polygon.Contains(a + (i + 1.0 / 3) * u + (j + 1.0 / 3) * v) ? 1 : 0;
-    }
-  }
-  return static_cast<double>(inside) / all;
+  const TrianglePoints points =
+      PointsIn(mesh.points[t[0]].head<2>(), mesh.points[t[1]].head<2>(), mesh.points[t[2]].head<2>());
+  const auto inside = std::ranges::count_if(points, [&](const Point2& p) { return polygon.Contains(p); });
+  return static_cast<double>(inside) / static_cast<double>(points.size());
 }
 
 bool Clears(const ClearArea& area, const PolygonIndex& polygon, const TriMesh& mesh, const Triangle& t) {
@@ -45,6 +36,16 @@ bool Clears(const ClearArea& area, const PolygonIndex& polygon, const TriMesh& m
 }
 
 }  // namespace
+
+TrianglePoints PointsIn(const Point2& a, const Point2& b, const Point2& c) {
+  const Point2 u = (b - a) / kPartsOfSide, v = (c - a) / kPartsOfSide;
+  TrianglePoints points;
+  size_t next = 0;
+  for (int i = 0; i < kPartsOfSide; ++i) {
+    for (int j = 0; i + j < kPartsOfSide; ++j) points[next++] = a + (i + 1.0 / 3) * u + (j + 1.0 / 3) * v;
+  }
+  return points;
+}
 
 std::vector<int32_t> AreasThatClear(const TriMesh& mesh, std::span<const ClearArea> areas) {
   std::vector<int32_t> cleared_by(mesh.triangles.size(), -1);

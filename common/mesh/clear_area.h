@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COMMON_MESH_CLEAR_AREA_H_
 #define TILEMEND_COMMON_MESH_CLEAR_AREA_H_
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,8 +23,13 @@ struct ClearArea {
 // The experiment is in docs/decisions/2026-11-26-clear-polygons.md.
 inline constexpr double kClearedShare = 0.1;
 
+// 36 points spread evenly over a triangle: the centroids of the triangles that point up when each side is cut into 8.
+inline constexpr int kPartsOfSide = 8;
+using TrianglePoints = std::array<Point2, kPartsOfSide*(kPartsOfSide + 1) / 2>;
+TrianglePoints PointsIn(const Point2& a, const Point2& b, const Point2& c);
+
 // For each triangle the first area that takes it out, or -1 if it stays. An area takes out a triangle that has no
-// corner above `top` and more than kClearedShare of which lies in the polygon. The share is measured at 36 points.
+// corner above `top` and more than kClearedShare of which lies in the polygon. The share is measured at PointsIn.
 // Pure. Cost O(n + points of the polygons) for n triangles, plus O(sqrt(points)) for each triangle near a polygon.
 std::vector<int32_t> AreasThatClear(const TriMesh& mesh, std::span<const ClearArea> areas);
 

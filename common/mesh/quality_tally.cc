@@ -38,4 +38,28 @@ double QualityTally::Quantile(double share) const {
   return 0;
 }
 
+PackedTally::PackedTally(const QualityTally& tally)
+    : sum_millionths_(tally.sum_millionths),
+      least_(tally.least),
+      triangles_(static_cast<int32_t>(tally.triangles)),
+      poor_(static_cast<int32_t>(tally.poor)),
+      poor_forced_(static_cast<int32_t>(tally.poor_forced)) {
+  for (int32_t k = 0; k < QualityTally::kBins; ++k) {
+    const auto count = static_cast<int32_t>(tally.histogram[static_cast<size_t>(k)]);
+    if (count != 0) bins_.push_back({k, count});
+  }
+  bins_.shrink_to_fit();
+}
+
+QualityTally PackedTally::Unpack() const {
+  QualityTally tally;
+  tally.triangles = triangles_;
+  tally.sum_millionths = sum_millionths_;
+  tally.least = least_;
+  tally.poor = poor_;
+  tally.poor_forced = poor_forced_;
+  for (const Bin& bin : bins_) tally.histogram[static_cast<size_t>(bin.number)] = bin.triangles;
+  return tally;
+}
+
 }  // namespace tilemend

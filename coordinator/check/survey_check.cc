@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "common/util/tile_files.h"
+
 namespace tilemend {
 namespace {
 
@@ -15,8 +17,7 @@ constexpr double kRoundingShare = 0x1p-27;
 
 absl::Status Wrong(const char* what) { return absl::InvalidArgumentError(what); }
 
-absl::Status CheckCounts(const SurveyRecord& record, int64_t file_bytes) {
-  const int64_t most = std::min<int64_t>(file_bytes, std::numeric_limits<int32_t>::max() / 2);
+absl::Status CheckCounts(const SurveyRecord& record, int64_t most) {
   const auto fits = [](int64_t count, int64_t end) { return count >= 0 && count <= end; };
   const bool ok = fits(record.vertex_count, most) && fits(record.triangle_count, most) &&
                   fits(record.doubled_vertices, record.vertex_count) &&
@@ -113,12 +114,17 @@ absl::Status CheckBand(const SurveyRecord& record) {
 
 }  // namespace
 
-absl::Status CheckSurvey(const SurveyRecord& record, int64_t file_bytes) {
-  absl::Status status = CheckCounts(record, file_bytes);
+absl::Status CheckSurvey(const SurveyRecord& record, int64_t most) {
+  absl::Status status = CheckCounts(record, most);
   if (status.ok()) status = CheckVertices(record);
   if (status.ok()) status = CheckPieces(record);
   if (status.ok()) status = CheckEdges(record);
   return status.ok() ? CheckBand(record) : status;
+}
+
+int64_t MostOf(std::string_view path, int64_t file_bytes) {
+  constexpr int64_t kMostNumbered = std::numeric_limits<int32_t>::max() / 2;
+  return IsTileTree(path) ? kMostNumbered : std::min(file_bytes, kMostNumbered);
 }
 
 }  // namespace tilemend

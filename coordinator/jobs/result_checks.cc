@@ -162,7 +162,7 @@ absl::Status CheckOutput(const std::string& input_bytes, const v1::SurveyOutput&
   const auto record = FromProto(output);
   if (!record.ok()) return AsWrong(record.status());
   TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, TileSize(input.tile()));
-  TILEMEND_RETURN_IF_ERROR(AsWrong(CheckSurvey(*record, bytes)));
+  TILEMEND_RETURN_IF_ERROR(AsWrong(CheckSurvey(*record, MostOf(input.tile().path(), bytes))));
   if (reading.how == TileCheck::kContent) return CheckSurveyedTile(input, output, *record, reading);
   return CheckUnusual(input, *record, reading);
 }

@@ -103,12 +103,15 @@ class Divider {
     for (const RimPoint& p : part_.rim.points) position.push_back(p.position);
     for (const SeamVertex& v : division.seams.vertices) position.emplace_back(v.position.x(), v.position.y(), 0);
     const HoleSite site{area_, part_.lines, part_.rim, position};
+    for (const LeftOpen& failure : division.seams.failures) {
+      const auto boundary = boundaries.find(failure.cell);
+      if (boundary == boundaries.end()) continue;
+      std::string& reason = boundary->second.seam_failure;
+      if (reason.empty()) reason = failure.reason;
+    }
     for (auto& [cell, boundary] : boundaries) {
       if (part_.options.cancelled()) return;
       boundary.cell = cell;
-      for (const LeftOpen& failure : division.seams.failures) {
-        if (failure.cell == cell && boundary.seam_failure.empty()) boundary.seam_failure = failure.reason;
-      }
       const StoredRecord& record = part_.input.cells.at(cell);
       boundary.has_surface = record != nullptr && record->triangle_count > 0;
       const StoredRecord& own = part_.own.cells.at(cell);

@@ -84,16 +84,10 @@ class CellHolesBuilder {
     return it == input_.cells.end() ? StoredRecord() : it->second;
   }
 
-  // A cell without a tile takes the number type of the scene: float32 unless every tile has float64.
+  // A cell without a tile takes the number type of the scene.
   bool NumberTypeOf(CellId cell) const {
-    if (const StoredRecord own = RecordOf(cell); own != nullptr) return own->float32;
-    bool any = false;
-    for (const auto& [other, record] : input_.cells) {
-      if (record == nullptr) continue;
-      if (record->float32) return true;
-      any = true;
-    }
-    return !any;
+    const StoredRecord own = RecordOf(cell);
+    return own != nullptr ? own->float32 : plan_.float32;
   }
 
   void IndexOwnVertices() {
@@ -139,21 +133,21 @@ class CellHolesBuilder {
   // Of an original on an object. Beyond the grid line the surface goes on from where the boundary crosses it.
   std::optional<double> GroundUnder(int32_t plan_vertex, int32_t cluster) const {
     const auto ground = heights_.ground.find({cluster, plan_vertex});
-    if (ground != heights_.ground.end()) return ground->second;
+    if (ground != heights_.ground.end()) return ground->second.height;
     const PlanVertex& p = plan_.vertices[plan_vertex];
     if (p.ground) return *p.ground;
     if (p.follows < 0) return std::nullopt;
     const auto beside = heights_.ground.find({cluster, p.follows});
-    if (beside != heights_.ground.end()) return beside->second + RiseFrom(p.follows, p.position);
+    if (beside != heights_.ground.end()) return GoingOn(beside->second, p.follows, p.position);
     const auto height = heights_.height.find(p.follows);
-    if (height == heights_.height.end() || !heights_.slope.contains(p.follows)) return std::nullopt;
-    return height->second + RiseFrom(p.follows, p.position);
+    const auto slope = heights_.slope.find(p.follows);
+    if (height == heights_.height.end() || slope == heights_.slope.end()) return std::nullopt;
+    return GoingOn({height->second, slope->second.slope}, p.follows, p.position);
   }
 
-  // Of the surface from a vertex on to a place, with its slope there; 0 where no slope is known.
-  double RiseFrom(int32_t source, const Point3& at) const {
-    const auto slope = heights_.slope.find(source);
-    return slope == heights_.slope.end() ? 0 : slope->second.dot((at - plan_.vertices[source].position).head<2>());
+  // The height at a place of a surface that is known at a vertex.
+  double GoingOn(const GroundSurface& surface, int32_t source, const Point3& at) const {
+    return surface.height + surface.slope.dot((at - plan_.vertices[source].position).head<2>());
   }
 
   // Of a seam vertex, if it is settled. Off the grid line the surface goes on with its slope.
@@ -163,12 +157,14 @@ class CellHolesBuilder {
     const PlanVertex& s = plan_.vertices[source];
     if (const auto own = heights_.height.find(plan_vertex); own != heights_.height.end()) return own->second;
     if (const auto ground = heights_.ground.find({cluster, source}); ground != heights_.ground.end()) {
-      return RoundedToLattice(ground->second + RiseFrom(source, p.position), plan_.lattice_step);
+      return RoundedToLattice(GoingOn(ground->second, source, p.position), plan_.lattice_step);
     }
     if (s.index >= 0 || s.height_known) return s.position.z();
     const auto height = heights_.height.find(source);
     if (height == heights_.height.end()) return std::nullopt;
-    return RoundedToLattice(height->second + RiseFrom(source, p.position), plan_.lattice_step);
+    const auto slope = heights_.slope.find(source);
+    const GroundSurface surface{height->second, slope == heights_.slope.end() ? Point2(0, 0) : slope->second.slope};
+    return RoundedToLattice(GoingOn(surface, source, p.position), plan_.lattice_step);
   }
 
   void AddHole(int32_t h, const std::vector<RimSegment>& segments) {

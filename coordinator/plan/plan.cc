@@ -58,6 +58,17 @@ double LatticeStep(const PlanInput& input) {
   return std::max(kFinestStep, representable);
 }
 
+// Whether cells without a tile get float32: unless every tile has float64.
+bool NewTilesAreFloat32(const PlanInput& input) {
+  bool any = false;
+  for (const auto& [cell, record] : input.cells) {
+    if (record == nullptr) continue;
+    if (record->float32) return true;
+    any = true;
+  }
+  return !any;
+}
+
 // Of the vertices of a tile's boundary that are in the plan.
 void StoreGround(const RimGround& rim, std::span<const int32_t> vertices, Plan& plan) {
   for (size_t i = 0; i < std::min(vertices.size(), rim.on_object.size()); ++i) {
@@ -335,6 +346,7 @@ KnownWater WaterOfScene(const PlanInput& input, const PlanOptions& options, cons
 Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   TileLayout layout = LayOutTiles(input);
   Plan plan = PlanHoles(input, options, layout);
+  plan.float32 = NewTilesAreFloat32(input);
   if (!plan.upright) return options.cancelled() ? Plan() : plan;
   if (!options.cancelled()) TellWater(input, options, WaterOfScene(input, options, layout, plan), plan);
   if (!options.cancelled()) LeaveWithoutHeight(plan);

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <map>
 
+#include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "common/mesh/clear_area.h"
 #include "common/util/text.h"
 
 namespace tilemend {
@@ -27,6 +29,13 @@ int64_t SumOf(const std::map<CellId, int64_t>& triangles_of) {
   int64_t sum = 0;
   for (const auto& [cell, triangles] : triangles_of) sum += triangles;
   return sum;
+}
+
+// The rules are those of AreasThatClear and TallyHeights.
+std::string WhyNothing(const ClearedArea& area) {
+  if (area.water && !area.top) return "it has no level, because no triangle has its middle in it; give it a level";
+  const std::string below = area.top ? absl::StrFormat(" below %.2f m", *area.top) : "";
+  return absl::StrFormat("no triangle%s lies in it by more than %g %% of its area", below, 100 * kClearedShare);
 }
 
 }  // namespace
@@ -54,9 +63,7 @@ std::vector<std::string> ClearedWarnings(const std::vector<ClearedArea>& cleared
   std::vector<std::string> warnings;
   for (const ClearedArea& area : cleared) {
     if (!area.triangles_of.empty()) continue;
-    const std::string where = area.top ? absl::StrFormat(" below %.2f m", *area.top) : "";
-    warnings.push_back(
-        absl::StrFormat("polygon %s: nothing was taken out: no surface lies in it%s", area.label, where));
+    warnings.push_back(absl::StrCat("polygon ", area.label, ": nothing was taken out: ", WhyNothing(area)));
   }
   KeepFirst(kMostNamed, "polygons of which nothing was taken out (cleared in the report)", warnings);
   return warnings;

@@ -59,8 +59,10 @@ std::string UncountedText(const nlohmann::ordered_json& report) {
 
 std::vector<LeftOpen> LeftOf(const SceneReportInput& input) {
   std::vector<LeftOpen> left = input.plan->left;
-  left.insert(left.end(), input.outcome.unwritten.begin(), input.outcome.unwritten.end());
-  left.insert(left.end(), input.outcome.unsmoothed.begin(), input.outcome.unsmoothed.end());
+  // They come in the order in which they were lost.
+  std::vector<LeftOpen> unwritten = input.outcome.unwritten;
+  std::ranges::sort(unwritten, {}, &LeftOpen::cell);
+  left.insert(left.end(), unwritten.begin(), unwritten.end());
   for (const auto& [hole, reason] : input.outcome.failures) {
     const PlannedHole& planned = input.plan->holes[hole];
     left.push_back({planned.cell, reason, hole, planned.boundary_vertices});

@@ -10,9 +10,11 @@
 #include <set>
 #include <utility>
 
+#include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "absl/strings/str_join.h"
 #include "common/records/filler.h"
+#include "common/util/text.h"
 #include "common/util/version.h"
 #include "coordinator/report/cleared_report.h"
 #include "coordinator/report/hole_evidence.h"
@@ -275,6 +277,17 @@ int64_t PeakRssBytes() {
   return static_cast<int64_t>(usage.ru_maxrss) * 1024;
 }
 
+// Of cells that are filled, though less well than with all results.
+std::vector<std::string> ImpairedWarnings(const SceneOutcome& outcome) {
+  std::vector<std::string> warnings;
+  for (const auto& [cell, what] : outcome.impaired) {
+    warnings.push_back(absl::StrCat("cell ", ToString(cell), ": ", what));
+  }
+  std::ranges::sort(warnings);
+  KeepFirst(kMostNamed, "cells whose ground or seams lack a result", warnings);
+  return warnings;
+}
+
 }  // namespace
 
 const char* TypeName(HoleType type) { return type == HoleType::kNone ? nullptr : kTypes[static_cast<int>(type) - 1]; }
@@ -345,6 +358,7 @@ std::vector<std::string> WarningsOf(const SceneReportInput& input) {
   std::vector<std::string> warnings = input.warnings;
   for (std::string& warning : PlanWarnings(*input.plan)) warnings.push_back(std::move(warning));
   for (std::string& warning : ClearedWarnings(input.outcome.cleared)) warnings.push_back(std::move(warning));
+  for (std::string& warning : ImpairedWarnings(input.outcome)) warnings.push_back(std::move(warning));
   int64_t holes = 0, edges = 0;
   std::vector<int32_t> crossed;
   for (const auto& [hole, size] : input.outcome.sizes) {
@@ -395,7 +409,7 @@ std::string SceneReport(const SceneReportInput& input) {
                  {"levels", Levels(input)},
                  {"left", LeftRows(left)},
                  {"not_holes", NotHoles(left)},
-                 {"quality", QualityJson(input.outcome.quality)},
+                 {"quality", QualityJson(input.outcome.Quality())},
                  {"borders", Borders(plan, input.outcome)},
                  {"tension", Tensions(input)},
                  {"tasks", TasksJson(input)},

@@ -8,6 +8,8 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "common/gis/area_file.h"
+#include "common/mesh/box_tree.h"
+#include "common/mesh/polygon_index.h"
 #include "common/mesh/segment_distance.h"
 #include "common/store/digest.h"
 #include "common/util/status_macros.h"
@@ -23,31 +25,63 @@ double Turn(const Point2& a, const Point2& b, const Point2& c) {
 
 enum class Side { kInside, kOutside, kAcross };
 
-// Where a ring lies of a polygon. Across is also one that touches its edge: triangles are taken out whole, so it would
-// take some out beyond. Cost O(points * points).
-Side SideOf(const std::vector<Point2>& ring, const PlanePolygon& polygon) {
-  const Side side = Contains(polygon, ring[0]) ? Side::kInside : Side::kOutside;
-  for (const std::vector<Point2>& edge : polygon.rings) {
-    for (size_t k = 0; k < edge.size(); ++k) {
-      const Point2 &r = edge[k], &s = edge[(k + 1) % edge.size()];
-      for (size_t i = 0; i < ring.size(); ++i) {
-        const Point2 &p = ring[i], &q = ring[(i + 1) % ring.size()];
-        if (DistanceToSegment(p, r, s) <= kMeetTolerance) return Side::kAcross;
-        if (Turn(p, q, r) * Turn(p, q, s) < 0 && Turn(r, s, p) * Turn(r, s, q) < 0) return Side::kAcross;
-      }
-    }
-  }
-  return side;
+using Edge = std::pair<Point2, Point2>;
+
+Eigen::AlignedBox3d BoxOf(const Edge& edge, double margin) {
+  const Eigen::Vector3d by(margin, margin, 0);
+  const Point2 lo = edge.first.cwiseMin(edge.second), hi = edge.first.cwiseMax(edge.second);
+  return {Eigen::Vector3d(lo.x(), lo.y(), 0) - by, Eigen::Vector3d(hi.x(), hi.y(), 0) + by};
 }
 
-// Takes the rings out of a polygon that lie outside the area; false if one lies across its edge.
-bool KeepRingsInside(const PlanePolygon& area, PlanePolygon& polygon) {
+// Where rings lie of an area.
+class AreaSides {
+ public:
+  // Cost O(n sqrt(n)) for n points.
+  explicit AreaSides(const PlanePolygon& area) : index_(area) {
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (const std::vector<Point2>& ring : area.rings) {
+      for (size_t i = 0; i < ring.size(); ++i) {
+        edges_.emplace_back(ring[i], ring[(i + 1) % ring.size()]);
+        boxes.push_back(BoxOf(edges_.back(), 0));
+      }
+    }
+    tree_ = BoxTree(boxes);
+  }
+
+  // Across is also a ring that touches the edge: triangles are taken out whole, so it would take some out beyond. Cost
+  // O(log n) for each point and each edge near it.
+  Side SideOf(const std::vector<Point2>& ring) const {
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const Edge edge(ring[i], ring[(i + 1) % ring.size()]);
+      const auto meets = [&](int32_t other) { return Meets(edge, edges_[other]); };
+      if (tree_.AnyMeeting(BoxOf(edge, 2 * kMeetTolerance), meets)) return Side::kAcross;
+    }
+    return index_.Contains(ring[0]) ? Side::kInside : Side::kOutside;
+  }
+
+ private:
+  static bool Meets(const Edge& edge, const Edge& other) {
+    const auto& [p, q] = edge;
+    const auto& [r, s] = other;
+    if (DistanceToSegment(p, r, s) <= kMeetTolerance) return true;
+    return Turn(p, q, r) * Turn(p, q, s) < 0 && Turn(r, s, p) * Turn(r, s, q) < 0;
+  }
+
+  PolygonIndex index_;
+  std::vector<Edge> edges_;
+  BoxTree tree_;
+};
+
+// Takes the rings out of a polygon that lie outside the area; false if one lies across its edge. `sides` are those of
+// the area.
+bool KeepRingsInside(const PlanePolygon& area, const AreaSides& sides, PlanePolygon& polygon) {
   std::vector<std::vector<Point2>> kept;
+  const PolygonIndex index(polygon);
   for (const std::vector<Point2>& edge : area.rings) {
-    if (Contains(polygon, edge[0])) return false;
+    if (index.Contains(edge[0])) return false;
   }
   for (std::vector<Point2>& ring : polygon.rings) {
-    const Side side = SideOf(ring, area);
+    const Side side = sides.SideOf(ring);
     if (side == Side::kAcross) return false;
     if (side == Side::kInside) kept.push_back(std::move(ring));
   }
@@ -119,10 +153,11 @@ absl::Status CheckLevels(const std::vector<WaterArea>& areas, const std::map<Cel
 
 absl::Status KeepClearInside(const PlanePolygon& area, WaterChoice& choice) {
   if (area.empty()) return absl::OkStatus();
+  const AreaSides sides(area);
   std::vector<WaterArea> kept;
   for (WaterArea& water : choice.options.areas) {
     const size_t rings = water.polygon.rings.size();
-    if (water.clear && !KeepRingsInside(area, water.polygon)) {
+    if (water.clear && !KeepRingsInside(area, sides, water.polygon)) {
       return absl::InvalidArgumentError(absl::StrCat(water.label,
                                                      ": lies across the edge of the area, or touches it; what "
                                                      "it takes out beyond would stay open: draw it inside"));

@@ -4,14 +4,16 @@
 #include <cmath>
 #include <limits>
 
+#include "common/grid/area_shares.h"
+
 namespace tilemend {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Tiles may reach this share of a cell beyond their cells (coordinator/report/tile_checks.h, ReachOfCell).
 constexpr double kReachBeyondCell = 0.25;
-// Of a polygon: what must be there as surface to tell its level. Else most of it is a hole (kDecidingShare), and what
-// is there are banks.
+// Of a polygon within the scene: what must be there as surface to tell its level. Else most of it is a hole
+// (kDecidingShare), and what is there are banks.
 constexpr double kMeasuredShare = 0.5;
 
 double AreaOf(const HeightTally& tally) {
@@ -20,14 +22,23 @@ double AreaOf(const HeightTally& tally) {
   return area;
 }
 
+bool HasCells(const Grid& grid) { return grid.cell_size.minCoeff() > 0; }
+
 }  // namespace
 
-Clearing::Clearing(const std::vector<WaterArea>& areas, const Grid& grid) : grid_(grid) {
+Clearing::Clearing(const std::vector<WaterArea>& areas, const Grid& grid, std::span<const CellId> cells) : grid_(grid) {
   for (size_t a = 0; a < areas.size(); ++a) {
     const WaterArea& area = areas[a];
     if (!area.clear) continue;
-    Asked asked{a,  area.label, area.water, area.water && !area.level, area.clear_height, area.polygon, {}, {},
-                {}, {},         {}};
+    Asked asked;
+    asked.area = a;
+    asked.label = area.label;
+    asked.water = area.water;
+    asked.measured = area.water && !area.level;
+    asked.clear_height = area.clear_height;
+    asked.polygon = area.polygon;
+    if (asked.measured)
+      asked.area_in_scene = HasCells(grid) ? AreaInCells(area.polygon, grid, cells) : AreaOf(area.polygon);
     if (!area.water) asked.top = kInfinity;
     if (area.water && area.level) asked.top = *area.level + area.clear_height;
     asked.lo = Point2::Constant(kInfinity);
@@ -43,7 +54,7 @@ Clearing::Clearing(const std::vector<WaterArea>& areas, const Grid& grid) : grid
 }
 
 bool Clearing::Reaches(const Asked& asked, CellId cell) const {
-  if (grid_.cell_size.minCoeff() <= 0) return true;
+  if (!HasCells(grid_)) return true;
   const Point2 low = grid_.corner + Point2(cell.col, cell.row).cwiseProduct(grid_.cell_size);
   const Point2 reach = kReachBeyondCell * grid_.cell_size;
   return (asked.hi.array() >= (low - reach).array()).all() &&
@@ -84,7 +95,7 @@ absl::Status Clearing::TakeTallies(CellId cell, std::span<const HeightTally> tal
 void Clearing::Settle(std::vector<WaterArea>& areas) {
   for (Asked& asked : asked_) {
     if (!asked.measured) continue;
-    const bool is_measured = AreaOf(asked.heights) > kMeasuredShare * AreaOf(asked.polygon);
+    const bool is_measured = AreaOf(asked.heights) > kMeasuredShare * asked.area_in_scene;
     areas[asked.area].is_mostly_open = !is_measured;
     // Banks rise from the water. What its level is, is for the shore of the hole to say.
     const std::optional<double> level = HalfSampleMode(is_measured ? asked.heights : LowerHalf(asked.heights));

@@ -27,17 +27,20 @@ struct ClearedArea {
 
 // First the tiles in reach of areas of water without a level are measured (Polygons, TakeTallies). Then Settle gives
 // each such area one level, the same for all tiles: the half-sample mode of the heights in it. An area that is mostly
-// open gets none; what is taken out there is up to its clear_height above the mode of the lower half. From then on
-// Areas says what is taken out of a tile. Pure. Not thread-safe. Cost O(areas) a tile, and the tallies until Settle.
+// open in the cells of the scene gets none; what is taken out there is up to its clear_height above the mode of the
+// lower half. From then on Areas says what is taken out of a tile. Pure. Not thread-safe. Cost O(areas) a tile, and the
+// tallies until Settle.
 class Clearing {
  public:
   // Without areas nothing is taken out.
   Clearing() = default;
-  // `areas` without `clear` are skipped. A scene without a grid has one tile, which all areas reach.
-  Clearing(const std::vector<WaterArea>& areas, const Grid& grid);
+  // `areas` without `clear` are skipped. `cells` are all of the scene, each once: what lies beyond them tells nothing.
+  // A scene without a grid has one tile, which all areas reach.
+  Clearing(const std::vector<WaterArea>& areas, const Grid& grid, std::span<const CellId> cells);
 
   // What is to be measured of the tile of a cell; empty: nothing.
   std::vector<PlanePolygon> Polygons(CellId cell) const;
+  bool IsMeasured(CellId cell) const { return !Measured(cell).empty(); }
   // The heights in these polygons, in their order. kInvalidArgument for another number of them.
   absl::Status TakeTallies(CellId cell, std::span<const HeightTally> tallies);
   // Sets the level, and its sigma, of each of the areas that was measured and has surface inside. `areas` are those of
@@ -64,6 +67,7 @@ class Clearing {
     bool measured = false;  // else its level is given, or it needs none
     double clear_height = 0;
     PlanePolygon polygon;
+    double area_in_scene = 0;  // m2 of the polygon, if it is measured
     Point2 lo, hi;
     HeightTally heights;
     std::optional<double> top;  // infinite where everything goes

@@ -96,6 +96,7 @@ absl::Status ClusterSampling::Take(const ClusterSamples& result, PlannedScene& s
     outcome.of_clusters[result.cluster] = *result.hold_out;
     scene.heights.tension[result.cluster] = result.hold_out->tension;
   }
+  if (!result.samples.empty()) ++with_surface_;
   SettleCluster(scene.plan, result.cluster, result.samples, scene.heights);
   return absl::OkStatus();
 }

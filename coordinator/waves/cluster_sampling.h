@@ -39,11 +39,14 @@ class ClusterSampling {
   // Those of the cells that wait for the cluster that wait for no other any more. Call it once, after its Take.
   std::vector<CellId> Release(int32_t cluster);
   bool IsAwaitedBy(CellId cell) const { return clusters_left_.contains(cell); }
+  // Whether all clusters have been taken, and each had a surface, so that nothing is left for the layers.
+  bool IsOver() const { return with_surface_ == holes_of_.size(); }
 
  private:
   std::map<int32_t, std::vector<int32_t>> holes_of_;  // by cluster
   std::map<int32_t, std::set<CellId>> awaiting_;      // by cluster, the cells that await its surface
   std::map<CellId, int32_t> clusters_left_;           // of which a cell awaits the surface
+  size_t with_surface_ = 0;                           // clusters that have been taken with one
 };
 
 }  // namespace tilemend

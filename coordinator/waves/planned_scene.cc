@@ -43,6 +43,7 @@ void MakeThePlan(const WaveOptions& options, const PlanOptions& plan, PlannedSce
   scene.plan = MakePlan(scene.survey.input(), plan);
   SettleWater(scene.plan, scene.heights);
   scene.plan.colours = ColourHoles(scene.plan, scene.survey.input(), plan.water_colour);
+  scene.is_coloured = std::ranges::any_of(scene.plan.colours, &FillColour::known);
   scene.holes_of = HolesToFill(scene.plan, options.chosen);
   scene.float32 = std::any_of(scene.survey.records().begin(), scene.survey.records().end(),
                               [](const auto& r) { return r.second != nullptr && r.second->float32; });
@@ -103,7 +104,7 @@ AssembleWork AssembleWorkOf(const PlannedScene& scene, CellId cell, bool is_wang
     for (const int32_t h : holes->second) work.colours.of_holes[h] = colours[h];
     if (is_wang) work.holes = HolesAsFilled(scene, cell);
   }
-  work.colours.on_vertices = std::any_of(colours.begin(), colours.end(), [](const FillColour& c) { return c.known; });
+  work.colours.on_vertices = scene.is_coloured;
   return work;
 }
 

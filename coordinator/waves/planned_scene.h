@@ -21,6 +21,7 @@ struct PlannedScene {
   SeamHeights heights = {};                              // of its vertices; the waves after the plan add to them
   std::map<CellId, std::vector<int32_t>> holes_of = {};  // those to fill. Cells that are left go
   bool float32 = false;                                  // some tile is
+  bool is_coloured = false;                              // some hole has a colour
 };
 
 // By cell, the holes that the plan finds no fault with. Of cells that are not chosen those whose clusters reach chosen

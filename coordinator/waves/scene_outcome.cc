@@ -38,8 +38,28 @@ absl::Status SceneOutcome::Add(const CellFill& result, const Plan& plan) {
     filled.insert(result.cell);
     if (!failures.contains(patch.hole)) AddSize(patch, *this);
   }
-  quality.Merge(result.patches.quality);
+  quality_of.insert_or_assign(result.cell, PackedTally(result.patches.quality));
   return absl::OkStatus();
+}
+
+void SceneOutcome::DropTile(LeftOpen left) {
+  quality_of.erase(left.cell);
+  unwritten.push_back(std::move(left));
+}
+
+void SceneOutcome::SetGaps(std::map<std::pair<CellId, CellId>, SurfaceGap> gaps) {
+  std::set<CellId> dropped;
+  for (const LeftOpen& left : unwritten) dropped.insert(left.cell);
+  fill_gaps = std::move(gaps);
+  std::erase_if(fill_gaps, [&](const auto& gap) {
+    return dropped.contains(gap.first.first) || dropped.contains(gap.first.second);
+  });
+}
+
+QualityTally SceneOutcome::Quality() const {
+  QualityTally quality;
+  for (const auto& [cell, tally] : quality_of) quality.Merge(tally.Unpack());
+  return quality;
 }
 
 }  // namespace tilemend

@@ -33,10 +33,10 @@ struct SceneOutcome {
   std::set<CellId> filled;                           // cells with a patch
   std::map<int32_t, std::string> failures;           // of the holes that were tried in vain: why
   std::vector<LeftOpen> unwritten;                   // tiles that could not be written
-  std::vector<LeftOpen> unsmoothed;                  // seams of `wang` that could not be smoothed
+  std::multimap<CellId, std::string> impaired;       // cells that were filled without some result: which, and why
   std::map<int32_t, HoldOut> of_clusters, of_holes;  // where tensions were chosen
   std::set<CellId> chosen;                           // cells that were to be filled; empty: all
-  QualityTally quality;                              // of all new triangles
+  std::map<CellId, PackedTally> quality_of;          // of the new triangles, by cell
   std::vector<ClearedArea> cleared;                  // one for each area that asks for surface to be taken out
   // Of borders where fills overlap (BorderAudit::a and b): how far apart they are there.
   std::map<std::pair<CellId, CellId>, SurfaceGap> fill_gaps;
@@ -45,6 +45,13 @@ struct SceneOutcome {
   void Fail(int32_t hole, const std::string& reason);
   // Enters the patches of a cell. kInvalidArgument for a hole that is not in the plan.
   absl::Status Add(const CellFill& result, const Plan& plan);
+  // The tile of the cell is not written, for a reason that `left` tells. Its holes are for Fail.
+  void DropTile(LeftOpen left);
+  // Enters the gaps between the fills of tiles that are written. Call it once, after all DropTile.
+  void SetGaps(std::map<std::pair<CellId, CellId>, SurfaceGap> gaps);
+
+  // Of all new triangles. Cost O(cells with a patch).
+  QualityTally Quality() const;
 };
 
 }  // namespace tilemend

@@ -14,16 +14,22 @@ Grid GridAround(const SurveySummary& record) {
   return {record.lo.head<2>() - extent, 3 * extent};
 }
 
+std::vector<CellId> CellsOf(const Scene& scene) {
+  std::vector<CellId> cells;
+  for (const SceneTile& tile : scene.tiles) cells.push_back(tile.cell);
+  return cells;
+}
+
 }  // namespace
 
 SceneSurvey::SceneSurvey(Scene scene, const std::vector<WaterArea>& areas)
-    : scene_(std::move(scene)), areas_(areas), clearing_(areas_, scene_.grid) {
+    : scene_(std::move(scene)), areas_(areas), clearing_(areas_, scene_.grid, CellsOf(scene_)) {
   for (const SceneTile& tile : scene_.tiles) tiles_[tile.cell] = &tile;
 }
 
 std::vector<CellId> SceneSurvey::ToMeasure() const {
   std::vector<CellId> cells = ToSurvey();
-  std::erase_if(cells, [&](CellId cell) { return clearing_.Polygons(cell).empty(); });
+  std::erase_if(cells, [&](CellId cell) { return !clearing_.IsMeasured(cell); });
   return cells;
 }
 

@@ -103,7 +103,7 @@ void SettleWave(Wave wave, const WaveOptions& options, SceneData& data) {
     data.samples.clear();
   }
   if (wave == Wave::kSmooth) data.smoothing.Settle(data.planned);
-  if (wave == Wave::kAssemble) data.outcome.fill_gaps = data.gaps.gaps();
+  if (wave == Wave::kAssemble) data.outcome.SetGaps(data.gaps.gaps());
 }
 
 // False if the cell has no holes to fill, or they have failed already.
@@ -145,18 +145,18 @@ struct ResultTaker {
     return absl::OkStatus();
   }
   absl::Status operator()(const LeftWork& left) {
-    const auto note = [&](const char* what) { return LeftOpen{left.cell, absl::StrCat(what, ": ", left.reason)}; };
+    const auto note = [&](const char* what) { return absl::StrCat(what, ": ", left.reason); };
     if (left.kind == LeftWork::Kind::kTile) {
       FailHoles(left.cell, left.reason, data);
-      data.outcome.unwritten.push_back(note("the tile is not written"));
+      data.outcome.DropTile({left.cell, note("the tile is not written")});
       queue.writes().Settle(false);
       return absl::OkStatus();
     }
     if (left.kind == LeftWork::Kind::kHoles && FailHoles(left.cell, left.reason, data)) queue.Drop(left.cell);
     if (left.kind == LeftWork::Kind::kGround) {
-      data.outcome.unsmoothed.push_back(note("all at its rims is taken for ground"));
+      data.outcome.impaired.emplace(left.cell, note("all at its rims is taken for ground"));
     }
-    if (left.kind == LeftWork::Kind::kSeam) data.outcome.unsmoothed.push_back(note("a seam is not smoothed"));
+    if (left.kind == LeftWork::Kind::kSeam) data.outcome.impaired.emplace(left.cell, note("a seam is not smoothed"));
     return Settle(absl::OkStatus());
   }
 
@@ -184,6 +184,7 @@ SceneWaves::SceneWaves(Scene scene, WaveOptions options, StepEnded step_ended)
 std::optional<SceneWork> SceneWaves::Next() {
   const auto is_over = [&] { return queue_.is_over() && (step_.wave != Wave::kAssemble || queue_.writes().is_over()); };
   while (is_over() && !done()) Advance();
+  if (step_.wave == Wave::kCluster && !options_.is_wang() && data_.clusters.IsOver()) EndStep("sample");
   const std::optional<WorkItem> item = queue_.Next();
   if (!item) return std::nullopt;
   return WorkOf(*item, step_.layer, options_.is_wang(), data_);
@@ -201,10 +202,15 @@ CellCounts SceneWaves::cells() const {
 
 void SceneWaves::Advance() {
   SettleWave(step_.wave, options_, data_);
-  const std::string_view ended = EndOf(step_, options_, plan().layers);
-  if (step_ended_ && !ended.empty()) step_ended_(ended);
+  EndStep(EndOf(step_, options_, plan().layers));
   step_ = After(step_, options_, plan().layers);
   Begin();
+}
+
+void SceneWaves::EndStep(std::string_view step) {
+  if (step.empty() || step == last_ended_) return;
+  last_ended_ = step;
+  if (step_ended_) step_ended_(step);
 }
 
 void SceneWaves::Begin() {

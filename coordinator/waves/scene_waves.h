@@ -65,7 +65,8 @@ struct CellCounts {
 class SceneWaves {
  public:
   // Hears of the end of each step: "measure" (where surface is taken out), "survey", "ground", "plan", "sample"
-  // (thin-plate) or "layers" (wang), "fill", "smooth" (wang), "assemble".
+  // (thin-plate) or "layers" (wang), "fill", "smooth" (wang), "assemble". With thin-plate "sample" ends when the
+  // heights of all seams are known; some cells are filled before.
   using StepEnded = std::function<void(std::string_view step)>;
 
   SceneWaves(Scene scene, WaveOptions options, StepEnded step_ended = {});
@@ -97,11 +98,14 @@ class SceneWaves {
  private:
   // Starts the wave after the one that is over.
   void Advance();
+  // Tells it, unless it was told last.
+  void EndStep(std::string_view step);
   void Begin();
 
   const WaveOptions options_;
   const StepEnded step_ended_;
   WaveStep step_;
+  std::string_view last_ended_;
   WorkQueue queue_;
   SceneData data_;
 };

@@ -161,7 +161,9 @@ absl::Status Measure(const Command& command) {
     std::fflush(stdout);
   };
   TILEMEND_ASSIGN_OR_RETURN(const auto scratch, ScratchFile::Create(""));
-  SceneWaves waves(std::move(scene), {}, print);
+  WaveOptions options;
+  options.find_objects = false;  // there are none, and no rasters to tell them by
+  SceneWaves waves(std::move(scene), options, print);
   Workers workers(command, waves, *scratch);
   while (const std::optional<SceneWork> work = waves.Next()) TILEMEND_RETURN_IF_ERROR(workers.Do(*work));
   std::printf("%zu holes, %zu filled\n", waves.plan().holes.size(), waves.outcome().sizes.size());

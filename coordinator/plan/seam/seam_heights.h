@@ -19,12 +19,24 @@ struct SeamSample {
   double height = 0;   // metres
 };
 
+// The surface under a vertex on an object.
+struct GroundSurface {
+  double height = 0;  // metres
+  Point2 slope{0, 0};
+};
+
+// The slope of the surface that a seam vertex has its height of.
+struct SeamSlope {
+  Point2 slope{0, 0};
+  int32_t cluster = 0;  // of that surface
+};
+
 struct SeamHeights {
   std::map<int32_t, double> height = {};                         // of the seam vertices that are settled
   std::map<std::pair<int32_t, int32_t>, double> laplacian = {};  // by cluster and vertex on a seam, where it is known
-  std::map<int32_t, Point2> slope = {};                          // of the cluster's surface, where it is known
-  std::map<std::pair<int32_t, int32_t>, double> ground = {};  // by cluster and vertex on an object: the surface there
-  std::map<int32_t, double> tension = {};                     // by cluster, where it has been chosen
+  std::map<int32_t, SeamSlope> slope = {};                       // of those that a cluster settled
+  std::map<std::pair<int32_t, int32_t>, GroundSurface> ground = {};  // by cluster and vertex on an object
+  std::map<int32_t, double> tension = {};                            // by cluster, where it has been chosen
 };
 
 // The surface of a cluster at a vertex on a seam, at the end of one, or on an object.
@@ -35,7 +47,8 @@ struct ClusterSample {
   Point2 slope{0, 0};
 };
 
-// Settles the seam vertices of a cluster whose surface is known. Heights are rounded to the plan's lattice.
+// Settles the seam vertices of a cluster whose surface is known. Heights are rounded to the plan's lattice. A vertex of
+// several clusters takes the height of the lowest number. The order of clusters is of no importance.
 void SettleCluster(const Plan& plan, int32_t cluster, std::span<const ClusterSample> samples, SeamHeights& heights);
 
 // Settles the seam vertices that one layer sampled: each gets the mean of its samples. Seams between two cells of the

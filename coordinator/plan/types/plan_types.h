@@ -217,6 +217,7 @@ struct Plan {
   double lattice_step = 0;   // power of two, metres
   bool single_mesh = false;  // without a grid: the lattice suits its edges, in units of its own
   bool upright = true;       // as CellHoles
+  bool float32 = true;       // the number type of cells without a tile: false if every tile has float64
   bool has_polygon = false;  // PlanInput::area is not empty
   // Per tile: the plan vertex of each boundary vertex of its record; -1: it bounds no hole. Tiles of which none does
   // are not there.

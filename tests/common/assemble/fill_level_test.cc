@@ -239,6 +239,18 @@ TEST(FillLevelTest, WhatTheFinestLevelLeavesOpenStaysOpen) {
   EXPECT_NEAR(kSide * kSide - AreaOf(Joined(level.stays, patch)), hole, 0.25 * hole);
 }
 
+// One triangle of the level is open. The patch covers less than a tenth of it, and not its middle.
+TEST(FillLevelTest, AHoleThatIsMuchLargerThanThePatchIsClosed) {
+  const auto in_puddle = [](const Point2& p) { return (p - Point2(30, 30)).norm() < 3; };
+  const auto is_open = [](const Point2& p) { return (p - Point2(16 + 32.0 / 3, 16 + 16.0 / 3)).norm() < 1; };
+  const TriMesh finest = Ground(0.5, in_puddle), level = Ground(16, is_open);
+  ASSERT_NEAR(AreaOf(level), kSide * kSide - 128, 1e-6);
+  const FilePatch puddle = PatchOf(finest, Ground(0.5, [&](const Point2& p) { return !in_puddle(p); }), -1);
+  const LevelFill fill = FillLevel(level, finest, puddle);
+  EXPECT_NEAR(AreaOf(Joined(level, fill.patch)), kSide * kSide, 1e-6);
+  EXPECT_THAT(fill.open, ::testing::IsEmpty());
+}
+
 TEST(FillLevelTest, NothingToFillGivesNothing) {
   const TriMesh finest = Ground(0.5, InPond);
   const FilePatch pond = Pond(finest, 0.5, -1);

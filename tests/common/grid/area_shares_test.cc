@@ -54,6 +54,17 @@ TEST(AreaSharesTest, RingsInAnyDirectionLeaveOpenings) {
   }
 }
 
+TEST(AreaSharesTest, OnlyWhatLiesInTheCellsIsTheirArea) {
+  const PlanePolygon all{{Box(-1e4, -1e4, 1e4, 1e4)}}, slant{{{{100, 200}, {300, 200}, {300, 300}}}};
+  const std::vector<CellId> square{{1, 1}, {0, 0}, {1, 0}, {0, 1}};
+  EXPECT_NEAR(AreaInCells(all, kGrid, square), 4 * 5000, 1e-6);
+  EXPECT_NEAR(AreaInCells(slant, kGrid, square), 2 * 5000, 1e-6);
+  const std::vector<CellId> ragged{{0, 0}, {1, 0}, {1, 1}, {0, 2}, {1, 2}, {99'999, 99'999}};
+  EXPECT_NEAR(AreaInCells(all, kGrid, ragged), 5 * 5000, 1e-6);
+  EXPECT_NEAR(AreaInCells(slant, kGrid, ragged), 2 * 5000, 1e-6);
+  EXPECT_EQ(AreaInCells(all, kGrid, {}), 0);
+}
+
 TEST(AreaSharesTest, SquaresMayBeginElsewhere) {
   const auto shares = SharesOf({{Box(0, 100, 100, 125)}}, kGrid, {{-1, -2}, {0, -1}});
   EXPECT_THAT(shares, ElementsAre(DoubleNear(0.5, kRounding)));

@@ -32,7 +32,7 @@ TEST(QualityTallyTest, CountsThePoorOnesAndThoseThatAreForced) {
   EXPECT_EQ(tally.poor_forced, 1);
 }
 
-TEST(QualityTallyTest, MergesToTheSameInAnyOrder) {
+TEST(QualityTallyTest, MergesToTheSameInAnyOrderAndIsTheSameAfterPacking) {
   QualityTally all, even, odd;
   for (int k = 0; k < 1000; ++k) {
     const double quality = std::fmod(k * 0.618, 1);
@@ -42,7 +42,7 @@ TEST(QualityTallyTest, MergesToTheSameInAnyOrder) {
   QualityTally other = odd;
   other.Merge(even);
   even.Merge(odd);
-  for (const QualityTally& merged : {even, other}) {
+  for (const QualityTally& merged : {even, other, PackedTally(all).Unpack()}) {
     EXPECT_EQ(merged.triangles, all.triangles);
     EXPECT_EQ(merged.sum_millionths, all.sum_millionths);
     EXPECT_EQ(merged.least, all.least);

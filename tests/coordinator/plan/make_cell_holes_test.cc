@@ -110,10 +110,12 @@ TEST(MakeCellHolesTest, GoesOnWithTheSlopeOfTheSurfaceOffTheGridLine) {
   const auto height = [&] { return MakeFillHoles(p.plan, p.input, p.heights, {h}).vertices[0].position.z(); };
   p.heights.height[source] = 5;
   EXPECT_EQ(height(), 5);
-  p.heights.slope[source] = {0.25, -2};
+  p.heights.slope[source] = {{0.25, -2}, hole.cluster};
   EXPECT_EQ(height(), 5 + 0.5 - 2);
-  p.heights.ground[{hole.cluster, source}] = 8;
-  EXPECT_EQ(height(), 8 + 0.5 - 2);
+  p.heights.ground[{hole.cluster + 1, source}] = {9, {1, 1}};
+  EXPECT_EQ(height(), 5 + 0.5 - 2);
+  p.heights.ground[{hole.cluster, source}] = {8, {0.5, -1}};
+  EXPECT_EQ(height(), 8 + 1 - 1);
 }
 
 TEST(MakeCellHolesTest, TakesTheBandAroundTheHolesFromAllTilesThere) {

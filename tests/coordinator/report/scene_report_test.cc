@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/util/version.h"
+#include "coordinator/report/left_open.h"
 
 namespace tilemend {
 namespace {
@@ -99,6 +100,28 @@ TEST_F(SceneReportTest, TellsWhatIsLeftOfThePlanThenOfTilesThenOfHoles) {
   EXPECT_FALSE(left[1].contains("hole"));
   EXPECT_EQ(left[2]["hole"], 2);
   EXPECT_EQ(left[2]["open_edges"], 7);
+}
+
+TEST_F(SceneReportTest, ListsTilesThatAreNotWrittenByCell) {
+  input_.outcome.unwritten = {{{2, 0}, "disk"}, {{0, 1}, "disk"}, {{1, 0}, "disk"}};
+  const Json left = Report()["left"];
+  ASSERT_EQ(left.size(), 5U);
+  EXPECT_EQ(left[1]["cell"], Json::parse("[0, 1]"));
+  EXPECT_EQ(left[2]["cell"], Json::parse("[1, 0]"));
+  EXPECT_EQ(left[3]["cell"], Json::parse("[2, 0]"));
+}
+
+// Nothing is open there.
+TEST_F(SceneReportTest, WarnsOfLostResultsWithoutWhichACellWasFilled) {
+  const size_t left = Report()["left"].size(), warnings = Report()["warnings"].size();
+  const bool is_partial = IsPartial(input_);
+  input_.outcome.impaired = {{{1, 0}, "a seam is not smoothed: b"}, {{0, 0}, "a seam is not smoothed: a"}};
+  const Json report = Report();
+  EXPECT_EQ(report["left"].size(), left);
+  EXPECT_EQ(IsPartial(input_), is_partial);
+  ASSERT_EQ(report["warnings"].size(), warnings + 2);
+  EXPECT_THAT(report["warnings"].dump(), ::testing::HasSubstr(R"("cell +000_+000: a seam is not smoothed: a",)"
+                                                              R"("cell +001_+000: a seam is not smoothed: b")"));
 }
 
 TEST_F(SceneReportTest, CountsWhatIsOpenByRightButDoesNotListIt) {

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "common/store/digest.h"
 #include "tests/support/temporary_folder.h"
 
@@ -120,6 +123,31 @@ TEST(WaterChoiceTest, WhatIsClearedHasToLieInTheArea) {
     EXPECT_THAT(both.warnings[0], HasSubstr("feature 7: a part of it lies outside the area"));
   }
   EXPECT_TRUE(KeepClearInside({}, across).ok());
+}
+
+// A ring of n points: a circle with a tooth at every other point.
+PlanePolygon Teeth(int32_t n, double radius, double depth) {
+  std::vector<Point2> ring;
+  for (int32_t i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * i / n, r = radius + (i % 2 == 0 ? depth : 0);
+    ring.push_back(r * Point2(std::cos(angle), std::sin(angle)));
+  }
+  return {{ring}};
+}
+
+// To compare each point with each would take a minute.
+TEST(WaterChoiceTest, LongRingsAreComparedWithALongArea) {
+  constexpr int32_t kPoints = 50'000;
+  const auto side = [&](double radius, double depth) {
+    WaterChoice choice;
+    WaterArea& water = choice.options.areas.emplace_back();
+    water.polygon = Teeth(kPoints, radius, depth);
+    water.clear = true;
+    return KeepClearInside(Teeth(kPoints, 1000, 10), choice).ok();
+  };
+  EXPECT_TRUE(side(980, 10));
+  EXPECT_FALSE(side(980, 40)) << "its teeth cross those of the area";
+  EXPECT_FALSE(side(1005, 10)) << "it lies around the area";
 }
 
 TEST(WaterChoiceTest, NamesAFileThatCannotBeUsed) {

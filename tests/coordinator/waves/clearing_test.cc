@@ -15,6 +15,7 @@ using ::testing::Pair;
 using ::testing::SizeIs;
 
 const Grid kGrid{{0, 0}, {10, 10}};
+const std::vector<CellId> kCells{{0, 0}, {1, 0}, {2, 0}, {3, 0}};
 
 PlanePolygon Rectangle(double x0, double x1) { return {{{{x0, 1}, {x1, 1}, {x1, 9}, {x0, 9}}}}; }
 
@@ -31,7 +32,7 @@ std::vector<WaterArea> Areas() {
 class ClearingTest : public ::testing::Test {
  protected:
   std::vector<WaterArea> areas_ = Areas();
-  Clearing clearing_{areas_, kGrid};
+  Clearing clearing_{areas_, kGrid, kCells};
 };
 
 TEST_F(ClearingTest, MeasuresWaterWithoutALevelInTilesThatReachIt) {
@@ -69,6 +70,21 @@ TEST_F(ClearingTest, LittleSurfaceIsTakenOutAndTellsNoLevel) {
   EXPECT_FALSE(areas_[2].is_mostly_open);
 }
 
+// The polygon goes 45 m beyond the scene. Of the 40 m2 in its cells all but 4 are there.
+TEST(ClearingBeyondTheSceneTest, OnlyWhatLiesInCellsOfTheSceneIsExpected) {
+  std::vector<WaterArea> areas = Areas();
+  areas[1].polygon = Rectangle(5, 60);
+  for (const std::vector<CellId>& cells : {std::vector<CellId>{{0, 0}}, kCells}) {
+    Clearing clearing(areas, kGrid, cells);
+    EXPECT_TRUE(clearing.IsMeasured({0, 0}));
+    ASSERT_TRUE(clearing.TakeTallies({0, 0}, std::vector<HeightTally>{{{{300, 36'000'000}}}}).ok());
+    std::vector<WaterArea> settled = areas;
+    clearing.Settle(settled);
+    EXPECT_EQ(settled[1].is_mostly_open, cells.size() > 1) << "cells without a tile are open";
+    EXPECT_EQ(settled[1].level.has_value(), cells.size() == 1);
+  }
+}
+
 TEST_F(ClearingTest, WaterWithoutSurfaceInItHasNoLevelAndTakesNothing) {
   clearing_.Settle(areas_);
   EXPECT_FALSE(areas_[1].level);
@@ -97,7 +113,7 @@ TEST_F(ClearingTest, RefusesResultsOfOtherAreas) {
 }
 
 TEST(ClearingOfAMeshTest, AllAreasReachTheOneTile) {
-  const Clearing clearing(Areas(), Grid());
+  const Clearing clearing(Areas(), Grid(), {});
   EXPECT_THAT(clearing.Polygons({0, 0}), SizeIs(1));
   EXPECT_THAT(clearing.Areas({0, 0}), SizeIs(2));
 }

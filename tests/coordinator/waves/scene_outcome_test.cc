@@ -37,6 +37,22 @@ TEST(SceneOutcomeTest, KnowsTheCellsWithAPatch) {
   EXPECT_EQ(outcome.filled, (std::set<CellId>{{0, 0}}));
 }
 
+TEST(SceneOutcomeTest, TilesThatAreNotWrittenHaveNoQualityAndNoGaps) {
+  SceneOutcome outcome;
+  CellPatches patches{{{0, "", 1, 2, {}}}, {}};
+  patches.quality.Add(0.5, false);
+  ASSERT_TRUE(outcome.Add({{0, 0}, patches}, PlanOf(1)).ok());
+  patches.quality.Add(0.1, true);
+  ASSERT_TRUE(outcome.Add({{1, 0}, patches}, PlanOf(1)).ok());
+  EXPECT_EQ(outcome.Quality().triangles, 3);
+  outcome.DropTile({{1, 0}, "disk"});
+  EXPECT_EQ(outcome.Quality().triangles, 1);
+  EXPECT_EQ(outcome.Quality().least, 0.5);
+  outcome.SetGaps({{{{0, 0}, {1, 0}}, {}}, {{{0, 0}, {0, 1}}, {}}});
+  ASSERT_EQ(outcome.fill_gaps.size(), 1U);
+  EXPECT_EQ(outcome.fill_gaps.begin()->first.second, (CellId{0, 1}));
+}
+
 TEST(SceneOutcomeTest, RefusesAHoleThatIsNotInThePlan) {
   SceneOutcome outcome;
   for (const int32_t hole : {-1, 2}) {

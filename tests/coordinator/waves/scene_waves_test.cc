@@ -215,6 +215,60 @@ TEST(SceneWavesTest, TellsTheEndOfEveryStepOnce) {
   EXPECT_THAT(steps, ElementsAre("survey", "ground", "plan", "sample", "fill", "assemble"));
 }
 
+// So "fill" has the time of the fills that follow, which is most of it.
+TEST(SceneWavesTest, SamplingEndsWhenTheLastClusterIsKnown) {
+  const SurveyedScene scene = Lake();
+  std::vector<std::string> steps;
+  SceneWaves waves(scene.AsScene(), Dry(), [&](std::string_view step) { steps.emplace_back(step); });
+  Stages stages(waves, scene);
+  while (const std::optional<SceneWork> work = waves.Next()) {
+    if (std::holds_alternative<FillWork>(*work)) {
+      EXPECT_EQ(steps.back(), "sample");
+    } else if (std::holds_alternative<ClusterWork>(*work)) {
+      EXPECT_EQ(steps.back(), "plan");
+    }
+    stages.Do(*work);
+  }
+}
+
+TEST(SceneWavesTest, ATileThatIsNotWrittenHasNoQuality) {
+  const SurveyedScene scene = Lake();
+  SceneWaves waves(scene.AsScene(), Dry());
+  Stages stages(waves, scene);
+  while (const std::optional<SceneWork> work = waves.Next()) {
+    if (const auto* fill = std::get_if<FillWork>(&*work)) {
+      CellPatches patches;
+      for (const CellHole& hole : fill->holes.holes) patches.patches.push_back({hole.id, "", 1, 1});
+      patches.quality.Add(fill->holes.cell == CellId{2, 2} ? 0.25 : 0.5, false);
+      EXPECT_TRUE(waves.Take(CellFill{fill->holes.cell, patches}).ok());
+    } else if (NameOf(*work) == "assemble +002_+002") {
+      EXPECT_TRUE(waves.Take(LeftWork{LeftWork::Kind::kTile, {2, 2}, "the disk broke"}).ok());
+    } else {
+      stages.Do(*work);
+    }
+  }
+  EXPECT_EQ(waves.outcome().Quality().triangles, 8);
+  EXPECT_EQ(waves.outcome().Quality().least, 0.5);
+}
+
+TEST(SceneWavesTest, LostGroundAndSeamsLeaveNothingOpen) {
+  const SurveyedScene scene = Lake();
+  SceneWaves waves(scene.AsScene(), Dry(Surface::kWang));
+  Stages stages(waves, scene);
+  while (const std::optional<SceneWork> work = waves.Next()) {
+    if (const auto* ground = std::get_if<GroundWork>(&*work)) {
+      EXPECT_TRUE(waves.Take(LeftWork{LeftWork::Kind::kGround, ground->cell, "lost"}).ok());
+    } else if (const auto* smooth = std::get_if<SmoothWork>(&*work)) {
+      EXPECT_TRUE(waves.Take(LeftWork{LeftWork::Kind::kSeam, smooth->cells[0], "lost"}).ok());
+    } else {
+      stages.Do(*work);
+    }
+  }
+  EXPECT_GE(waves.outcome().impaired.size(), 8U);
+  EXPECT_TRUE(waves.outcome().unwritten.empty());
+  EXPECT_TRUE(waves.outcome().failures.empty());
+}
+
 TEST(SceneWavesTest, WritesNoTileForACellThatNothingFills) {
   SurveyedScene scene = PictureScene({"####....", "####....", "####....", "####...."}, 4);
   scene.area_known = false;  // what reaches the rim of the area stays open
@@ -299,7 +353,7 @@ TEST(SceneWavesTest, KeepsTheTensionsAndTheQualityThatWereFound) {
   ASSERT_TRUE(waves.Take(CellFill{{0, 0}, patches}).ok());
   EXPECT_EQ(waves.outcome().of_holes.at(3).tension, 0.5);
   EXPECT_EQ(waves.outcome().failures.at(3), "no way");
-  EXPECT_EQ(waves.outcome().quality.triangles, 1);
+  EXPECT_EQ(waves.outcome().Quality().triangles, 1);
 }
 
 TEST(SceneWavesTest, TakesASingleMeshWithoutAGrid) {

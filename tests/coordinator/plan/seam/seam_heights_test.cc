@@ -142,9 +142,26 @@ TEST(SettleClusterTest, KeepsTheSurfaceUnderAnObjectAndItsSlope) {
   SeamHeights heights;
   const std::vector<ClusterSample> samples = {{0, 2.5, 0, {0.5, -1}}};
   SettleCluster(plan, 4, samples, heights);
-  EXPECT_THAT(heights.ground, ElementsAre(Pair(Pair(4, 0), 2.5)));
-  EXPECT_EQ(heights.slope.at(0), Point2(0.5, -1));
+  ASSERT_EQ(heights.ground.size(), 1U);
+  EXPECT_EQ(heights.ground.at({4, 0}).height, 2.5);
+  EXPECT_EQ(heights.ground.at({4, 0}).slope, Point2(0.5, -1));
   EXPECT_THAT(heights.height, IsEmpty());
+}
+
+TEST(SettleClusterTest, TheOrderOfClustersIsOfNoImportance) {
+  Plan plan = OneSeam(2, 0, 0);
+  plan.vertices[0].on_object = true;
+  const std::vector<ClusterSample> samples[2] = {{{0, 1, 0.1, {1, 0}}, {1, 3, 0.5, {2, 0}}},
+                                                 {{0, 2, 0.2, {3, 0}}, {1, 4, 0.6, {4, 0}}, {2, 6, 0.7, {5, 0}}}};
+  for (const int first : {0, 1}) {
+    SeamHeights heights;
+    for (const int cluster : {first, 1 - first}) SettleCluster(plan, cluster, samples[cluster], heights);
+    EXPECT_THAT(heights.height, ElementsAre(Pair(1, 3), Pair(2, 6)));
+    EXPECT_EQ(heights.slope.at(1).slope, Point2(2, 0));
+    EXPECT_EQ(heights.slope.at(2).slope, Point2(5, 0));
+    EXPECT_EQ(heights.ground.at({0, 0}).slope, Point2(1, 0));
+    EXPECT_EQ(heights.ground.at({1, 0}).slope, Point2(3, 0));
+  }
 }
 
 TEST(SettleLayerTest, SettlesNothingWithoutSamples) { EXPECT_THAT(Settle(OneSeam(2, 0, 0), {}, 0.5), IsEmpty()); }
