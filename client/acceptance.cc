@@ -1,7 +1,6 @@
 #include "client/acceptance.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -10,9 +9,12 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "client/acceptance_kinds.h"
 #include "client/area_rim.h"
 #include "client/carried_files.h"
 #include "client/checked_tile.h"
+#include "client/left_holes.h"
+#include "client/lost_fills.h"
 #include "client/output_tiles.h"
 #include "client/reported_output.h"
 #include "client/unfinished.h"
@@ -39,53 +41,6 @@ constexpr double kShareApart = 0.01;  // but for this share of the places of a b
 // streets, blocks and made cities they were .97 to 1.06 times as large, as triangles reach over the cell's sides.
 constexpr double kAreaOff = 0.1, kAreaOffOfCell = 0.01;
 
-enum Kind {
-  kMissingTile,
-  kMissingFace,
-  kClearedFaces,
-  kMissingFile,
-  kChangedFile,
-  kOpenEdge,
-  kCrossedFill,
-  kCrossedSurface,
-  kNonManifoldEdge,
-  kTurnedEdge,
-  kFlatTriangle,
-  kFillArea,
-  kWaterOffLevel,
-  kWaterWithoutFill,
-  kFillsApart,
-  kLeftHole,
-  kCrossedRim,
-  kOtherMesh,
-  kKinds
-};
-
-struct KindText {
-  const char *name, *label;
-  bool is_fault;
-};
-constexpr std::array<KindText, kKinds> kTexts = {{
-    {"missing_tiles", "missing tiles", true},
-    {"missing_faces", "original faces that are missing or changed", true},
-    {"cleared_faces", "tiles with more faces taken out than reported", true},
-    {"missing_files", "missing material files and images", true},
-    {"changed_files", "changed material files and images", true},
-    {"open_edges", "new open edges", true},
-    {"crossed_fills", "filled triangles that cross each other", true},
-    {"crossed_surface", "filled triangles that cross the original surface", true},
-    {"nonmanifold_edges", "new edges with more than two triangles", true},
-    {"turned_edges", "new edges whose triangles face opposite ways", true},
-    {"flat_triangles", "filled triangles without area", true},
-    {"fill_areas", "tiles whose fills are larger or smaller than their holes", true},
-    {"water_off_level", "points of water that are not at its level", true},
-    {"water_without_fill", "waters without a fill", true},
-    {"fills_apart", "places where fills of two tiles are more than 2 cm apart", true},
-    {"left_holes", "holes left open, as reported", false},
-    {"crossed_rims", "filled triangles at rims that the input's surface passes through", false},
-    {"other_meshes", "other meshes among the tiles", false},
-}};
-
 // Of the strip of one tile along the sides of its cell, while its neighbours are looked at.
 struct KeptTile {
   CellId cell;
@@ -108,7 +63,7 @@ struct CheckInput {
 ReportedOutput ReadOutput(const CheckInput& input) {
   ReportedOutput reported = ReadReported(input.report);
   const auto text = ReadFile(absl::StrCat(input.out, "/holes.geojson"));
-  if (text.ok()) AddLeftRims(ParseShallow(*text), input.scene.origin.head<2>(), reported);
+  if (text.ok()) AddRims(ParseShallow(*text), input.scene.origin.head<2>(), reported);
   return reported;
 }
 
@@ -118,8 +73,11 @@ class AcceptanceCheck {
       : input_(std::move(input)),
         reported_(ReadOutput(input_)),
         rim_(input_.scene, reported_.overlap),
+        left_(reported_.left),
+        lost_(reported_.filled_rims),
         files_(input_.scene.root, input_.out) {
-    for (const KindText& text : kTexts) result_.findings.push_back({text.name, text.label, text.is_fault, 0, {}});
+    for (const AcceptanceKindText& text : kAcceptanceKinds)
+      result_.findings.push_back({text.name, text.label, text.is_fault, 0, {}});
   }
 
   absl::StatusOr<Acceptance> Run() {
@@ -130,6 +88,7 @@ class AcceptanceCheck {
       TILEMEND_RETURN_IF_ERROR(CheckTile(static_cast<int32_t>(t)));
     }
     Resolve(row_ + 2);
+    AddLostFills();
     AddBorders();
     AddFiles();
     AddReported();
@@ -137,7 +96,7 @@ class AcceptanceCheck {
   }
 
  private:
-  void Add(Kind kind, CellId cell, std::optional<Point3> at, std::string note = "") {
+  void Add(AcceptanceKind kind, CellId cell, std::optional<Point3> at, std::string note = "") {
     AcceptanceFinding& finding = result_.findings[kind];
     ++finding.count;
     if (finding.places.size() < kMostAcceptancePlaces) finding.places.push_back({cell, std::move(at), std::move(note)});
@@ -209,7 +168,7 @@ class AcceptanceCheck {
   }
 
   void CheckFaces(int32_t t, const TriMesh& before, const TriMesh& after, const TileChange& change) {
-    constexpr std::pair<AddedFault, Kind> kFaults[] = {
+    constexpr std::pair<AddedFault, AcceptanceKind> kFaults[] = {
         {AddedFault::kCrossedFill, kCrossedFill}, {AddedFault::kCrossedSurface, kCrossedSurface},
         {AddedFault::kCrossedRim, kCrossedRim},   {AddedFault::kNonManifoldEdge, kNonManifoldEdge},
         {AddedFault::kTurnedEdge, kTurnedEdge},   {AddedFault::kFlatTriangle, kFlatTriangle}};
@@ -287,16 +246,31 @@ class AcceptanceCheck {
       Add(kNonManifoldEdge, input_.scene.tiles[e.tile].cell, (e.edge.from + e.edge.to) / 2, "between tiles");
     }
     for (const NewOpenEdge& e : released.open) JudgeOpenEdge(e);
+    for (const NewOpenEdge& e : released.rims) {
+      const bool is_at_rim = lost_.IsAtRim(e.edge.from, e.edge.to);
+      if (is_at_rim && (e.edge.after != 1 || !MayBeOpen(e))) lost_.Add(e);
+    }
     std::erase_if(strips_, [&](const auto& kept) { return kept.second.cell.row < row - 1; });
   }
 
   void JudgeOpenEdge(const NewOpenEdge& open) {
+    if (!MayBeOpen(open)) AddOpenEdge(open);
+  }
+
+  void AddOpenEdge(const NewOpenEdge& open) {
+    Add(kOpenEdge, input_.scene.tiles[open.tile].cell, (open.edge.from + open.edge.to) / 2);
+  }
+
+  bool MayBeOpen(const NewOpenEdge& open) {
     const CellId cell = input_.scene.tiles[open.tile].cell;
     const Point3 middle = (open.edge.from + open.edge.to) / 2;
-    if (IsCovered(cell, middle, open.edge.is_inner) || open.edge.is_covered ||
-        rim_.HasEdge(cell, open.edge.from, open.edge.to) || IsAtLeftHole(cell, middle))
-      return;
-    Add(kOpenEdge, cell, middle);
+    return IsCovered(cell, middle, open.edge.is_inner) || open.edge.is_covered ||
+           rim_.HasEdge(cell, open.edge.from, open.edge.to) ||
+           left_.AreAt(middle.head<2>(), rim_.NeighboursAt(cell, middle));
+  }
+
+  void AddLostFills() {
+    for (const NewOpenEdge& open : lost_.Lost()) AddOpenEdge(open);
   }
 
   // Whether the tile of a neighbour lies over or under p. Where both have fills there, off their rims, counts
@@ -318,14 +292,6 @@ class AcceptanceCheck {
       }
     }
     return covered;
-  }
-
-  bool IsAtLeftHole(CellId cell, const Point3& p) const {
-    const std::vector<CellId> beside = rim_.NeighboursAt(cell, p);
-    return std::ranges::any_of(reported_.left, [&](const ReportedOutput::Left& left) {
-      const bool is_beside = std::ranges::find(beside, left.cell) != beside.end();
-      return IsAtLeft(left, p.head<2>()) || (is_beside && GoesOnAt(left, p.head<2>()));
-    });
   }
 
   void AddBorders() {
@@ -357,6 +323,8 @@ class AcceptanceCheck {
   const CheckInput input_;
   const ReportedOutput reported_;
   const AreaRim rim_;
+  const LeftHoles left_;
+  LostFills lost_;
   CarriedFiles files_;
   JoinedEdges edges_;
   std::map<int32_t, KeptTile> strips_;  // by tile

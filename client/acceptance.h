@@ -47,6 +47,7 @@ struct Acceptance {
 //   self-intersections, edges with more than two triangles, turned edges and triangles without area, with added faces;
 //   an open edge, over all tiles together, that the input does not have (exceptions: on the rim of the area, at holes
 //   that the report lists as left, and where tiles overlap and the neighbour covers it);
+//   the open edges around a hole that was filled, by the report, and has no fill;
 //   fills of a tile that are larger or smaller than the holes in the report;
 //   water off its level;
 //   fills of overlapping tiles that are more than 2 cm apart at more than 1 % of the places of a border.

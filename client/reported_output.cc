@@ -4,7 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "common/mesh/segment_distance.h"
 #include "coordinator/report/json_access.h"
 
 namespace tilemend {
@@ -13,7 +12,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kDepth = 3;            // of lists around positions: those of a MultiPolygon
-constexpr double kLeftReach = 1;     // metres around the boundary of a hole that was left
 constexpr double kReachOfEdges = 5;  // metres around boundary edges in no loop, for each of them
 
 std::optional<CellId> CellOf(const Json& row) {
@@ -109,7 +107,7 @@ ReportedOutput ReadReported(const Json& report) {
   return reported;
 }
 
-void AddLeftRims(const Json& holes, const Point2& origin, ReportedOutput& reported) {
+void AddRims(const Json& holes, const Point2& origin, ReportedOutput& reported) {
   std::map<int64_t, std::vector<std::vector<Point2>>> rims;
   for (const ReportedOutput::Left& left : reported.left) {
     if (left.hole >= 0) rims[left.hole];
@@ -117,7 +115,11 @@ void AddLeftRims(const Json& holes, const Point2& origin, ReportedOutput& report
   for (const Json& feature : RowsOf(Member(holes, "features"))) {
     const Json& number = Member(Member(feature, "properties"), "hole");
     const auto rim = number.is_number_integer() ? rims.find(number.get<int64_t>()) : rims.end();
-    if (rim != rims.end()) AddRings(Member(Member(feature, "geometry"), "coordinates"), origin, kDepth, rim->second);
+    const Json& coordinates = Member(Member(feature, "geometry"), "coordinates");
+    if (rim != rims.end()) AddRings(coordinates, origin, kDepth, rim->second);
+    if (rim == rims.end() && Member(Member(feature, "properties"), "outcome") == "filled") {
+      AddRings(coordinates, origin, kDepth, reported.filled_rims);
+    }
   }
   for (ReportedOutput::Left& left : reported.left) {
     if (left.hole >= 0) left.rim = rims[left.hole];
@@ -125,20 +127,6 @@ void AddLeftRims(const Json& holes, const Point2& origin, ReportedOutput& report
       for (const Point2& p : ring) left.box.extend(p);
     }
   }
-}
-
-bool IsAtLeft(const ReportedOutput::Left& left, const Point2& p) {
-  if (left.rim.empty()) return (left.at - p).norm() <= left.reach + kLeftReach;
-  return std::ranges::any_of(left.rim, [&](const std::vector<Point2>& ring) {
-    for (size_t k = 1; k < ring.size(); ++k) {
-      if (DistanceToSegment(p, ring[k - 1], ring[k]) <= kLeftReach) return true;
-    }
-    return false;
-  });
-}
-
-bool GoesOnAt(const ReportedOutput::Left& left, const Point2& p) {
-  return left.reaches_border && !left.box.isEmpty() && left.box.exteriorDistance(p) <= kLeftReach;
 }
 
 }  // namespace tilemend

@@ -137,6 +137,24 @@ TEST_F(DeliveryRunTest, APartOfAHoleMayEndAtThePartThatWasLeft) {
   EXPECT_EQ(Tilemend({"check", folder_ / "lake", folder_ / "lake_out"}).code, 100) << "the fill is gone";
 }
 
+TEST_F(DeliveryRunTest, ALostFillIsFoundHoweverSmallItsHoleIs) {
+  folder_.Write("two/Tile_+000_+000.obj", TileFrom(0, [](int column, int row) {
+                  return (column == 2 && row == 2) || (column >= 4 && column < 8 && row >= 4 && row < 8);
+                }));
+  folder_.Write("two/Tile_+001_+000.obj", TileFrom(10, [](int, int) { return false; }));
+  ASSERT_EQ(Tilemend({"run", folder_ / "two", "--out", folder_ / "two_out"}).code, 0);
+  const Ended good = Tilemend({"check", folder_ / "two", folder_ / "two_out"});
+  EXPECT_EQ(good.code, 0) << good.err << good.out;
+  // The fill of the first hole, 1 m2, is the first of two materials.
+  const std::string text = Read("two_out/Tile_+000_+000.obj");
+  const size_t first = text.find("usemtl tilemend_fill_"), next = text.find("usemtl ", first + 1);
+  ASSERT_NE(next, std::string::npos);
+  folder_.Write("two_out/Tile_+000_+000.obj", text.substr(0, first) + text.substr(next));
+  const Ended lost = Tilemend({"check", folder_ / "two", folder_ / "two_out"});
+  EXPECT_EQ(lost.code, 100);
+  EXPECT_THAT(lost.out, HasSubstr("4  new open edges"));
+}
+
 TEST_F(DeliveryRunTest, AFilledTriangleTwiceIsNonManifold) {
   const std::string text = Read(kTile);
   const size_t at = text.rfind("\nf ");

@@ -121,6 +121,7 @@ JoinedEdges::Released JoinedEdges::ReleaseBelow(int32_t row) {
                             sum.is_covered},
                            sum.tile};
     if (sum.after == 1 && sum.before != 1) released.open.push_back(edge);
+    if (sum.before == 1 && sum.after > 0) released.rims.push_back(edge);
     if (sum.after > 2 && sum.before <= 2 && sum.is_added) released.crowded.push_back(edge);
     it = sums_.erase(it);
   }

@@ -23,7 +23,10 @@ TEST(JoinedEdgesTest, AnEdgeThatTwoTilesHaveIsClosed) {
 TEST(JoinedEdgesTest, AnEdgeThatWasOpenIsNotNew) {
   JoinedEdges edges;
   edges.Add(0, 0, {Edge(1, 1)});
-  EXPECT_THAT(edges.ReleaseBelow(1).open, IsEmpty());
+  edges.Add(0, 0, {Edge(1, 2, 5), Edge(1, 0, 6)});
+  const JoinedEdges::Released released = edges.ReleaseBelow(1);
+  EXPECT_THAT(released.open, IsEmpty());
+  EXPECT_THAT(released.rims, SizeIs(2)) << "but for the edge that is gone";
 }
 
 TEST(JoinedEdgesTest, TellsTheTileOfANewOpenEdge) {
