@@ -13,6 +13,7 @@
 #include "client/area_rim.h"
 #include "client/carried_files.h"
 #include "client/checked_tile.h"
+#include "client/coarser_levels.h"
 #include "client/left_holes.h"
 #include "client/lost_fills.h"
 #include "client/output_tiles.h"
@@ -75,6 +76,7 @@ class AcceptanceCheck {
         rim_(input_.scene, reported_.overlap),
         left_(reported_.left),
         lost_(reported_.filled_rims),
+        levels_(reported_.levels),
         files_(input_.scene.root, input_.out) {
     for (const AcceptanceKindText& text : kAcceptanceKinds)
       result_.findings.push_back({text.name, text.label, text.is_fault, 0, {}});
@@ -90,6 +92,8 @@ class AcceptanceCheck {
     Resolve(row_ + 2);
     AddLostFills();
     AddBorders();
+    for (const CoarserLevels::Fault& f : levels_.Unfilled()) Add(kUnfilledLevel, f.cell, std::nullopt, f.note);
+    for (const CoarserLevels::Fault& f : levels_.Cleared()) Add(kClearedFaces, f.cell, std::nullopt, f.note);
     AddFiles();
     AddReported();
     return std::move(result_);
@@ -124,23 +128,27 @@ class AcceptanceCheck {
     CheckFaces(t, before.faces.mesh, after.faces.mesh, change);
     CheckArea(tile.cell, after.faces.mesh, change.added);
     CheckWater(tile.cell, after.faces.mesh, change.added);
-    CheckCoarser(tile.cell, before, after);
+    CheckLevels(tile.cell, before, after, change);
     if (reported_.has_textures) files_.Compare(before.files);
     return absl::OkStatus();
   }
 
-  // The other levels of detail: originals are there, but for what clearing takes out of each level.
-  void CheckCoarser(CellId cell, const CheckedTile& before, const CheckedTile& after) {
+  // The levels of detail: originals are there, but for what clearing takes out of each level.
+  void CheckLevels(CellId cell, const CheckedTile& before, const CheckedTile& after, const TileChange& finest) {
     if (before.coarser.size() != after.coarser.size()) {
       Add(kMissingFace, cell, std::nullopt,
           absl::StrCat(before.coarser.size() + 1, " levels of detail, ", after.coarser.size() + 1, " in the output"));
       return;
     }
-    if (reported_.cleared.contains(cell)) return;
+    const bool is_cleared = reported_.cleared.contains(cell);
+    std::vector<TileChange> levels;
     for (size_t l = 0; l < before.coarser.size(); ++l) {
-      const TileChange change = CompareTiles(before.coarser[l], after.coarser[l]);
+      const TileChange& change = levels.emplace_back(CompareTiles(before.coarser[l], after.coarser[l]));
+      if (is_cleared) continue;
       for (const int32_t t : change.missing) Add(kMissingFace, cell, MiddleOf(before.coarser[l].mesh, t));
     }
+    levels.push_back(finest);
+    levels_.Add(cell, levels, is_cleared);
   }
 
   static std::vector<bool> NoneOf(const TriMesh& mesh) { return std::vector<bool>(mesh.triangles.size(), false); }
@@ -325,6 +333,7 @@ class AcceptanceCheck {
   const AreaRim rim_;
   const LeftHoles left_;
   LostFills lost_;
+  CoarserLevels levels_;
   CarriedFiles files_;
   JoinedEdges edges_;
   std::map<int32_t, KeptTile> strips_;  // by tile

@@ -49,6 +49,8 @@ struct Acceptance {
 //   that the report lists as left, and where tiles overlap and the neighbour covers it);
 //   the open edges around a hole that was filled, by the report, and has no fill;
 //   fills of a tile that are larger or smaller than the holes in the report;
+//   a coarser level of detail without new faces in a tile with fills, where the report says of the level that more were
+//   added than it has; a level of cleared tiles that lacks more faces than the report says;
 //   water off its level;
 //   fills of overlapping tiles that are more than 2 cm apart at more than 1 % of the places of a border.
 //

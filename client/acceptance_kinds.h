@@ -19,20 +19,21 @@ enum AcceptanceKind {
   kTurnedEdge,
   kFlatTriangle,
   kFillArea,
+  kUnfilledLevel,
   kWaterOffLevel,
   kWaterWithoutFill,
   kFillsApart,
   kLeftHole,
   kCrossedRim,
   kOtherMesh,
-  kKinds
+  kAcceptanceKindCount
 };
 
 struct AcceptanceKindText {
   const char *name, *label;
   bool is_fault;
 };
-inline constexpr std::array<AcceptanceKindText, kKinds> kAcceptanceKinds = {{
+inline constexpr std::array<AcceptanceKindText, kAcceptanceKindCount> kAcceptanceKinds = {{
     {"missing_tiles", "missing tiles", true},
     {"missing_faces", "original faces that are missing or changed", true},
     {"cleared_faces", "tiles with more faces taken out than reported", true},
@@ -45,6 +46,7 @@ inline constexpr std::array<AcceptanceKindText, kKinds> kAcceptanceKinds = {{
     {"turned_edges", "new edges whose triangles face opposite ways", true},
     {"flat_triangles", "filled triangles without area", true},
     {"fill_areas", "tiles whose fills are larger or smaller than their holes", true},
+    {"unfilled_levels", "levels of detail of tiles that were not filled", true},
     {"water_off_level", "points of water that are not at its level", true},
     {"water_without_fill", "waters without a fill", true},
     {"fills_apart", "places where fills of two tiles are more than 2 cm apart", true},

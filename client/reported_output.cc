@@ -50,6 +50,11 @@ void AddFilledArea(const Json& hole, ReportedOutput& reported) {
   }
 }
 
+LevelCounts LevelCountsOf(const Json& row) {
+  const auto count = [&](const char* name) { return static_cast<int64_t>(Number(Member(row, name))); };
+  return {count("nodes"), count("filled"), count("added"), count("removed")};
+}
+
 void AddLeftHole(const Json& hole, ReportedOutput& reported) {
   const auto cell = CellOf(hole);
   const auto centre = PlaneOf(Member(hole, "centre"));
@@ -98,6 +103,7 @@ ReportedOutput ReadReported(const Json& report) {
     if (const auto cell = CellOf(row))
       reported.cleared[*cell] += static_cast<int64_t>(Number(Member(row, "triangles")));
   }
+  for (const Json& row : RowsOf(Member(report, "levels"))) reported.levels.push_back(LevelCountsOf(row));
   for (const Json& border : RowsOf(Member(Member(report, "borders"), "inexact"))) {
     for (const Json& margin : RowsOf(Member(border, "margins_m"))) {
       reported.overlap = std::max(reported.overlap, Number(margin));
