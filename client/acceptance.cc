@@ -18,6 +18,7 @@
 #include "client/lost_fills.h"
 #include "client/output_tiles.h"
 #include "client/reported_output.h"
+#include "client/tile_placement.h"
 #include "client/unfinished.h"
 #include "common/grid/cell_choice.h"
 #include "common/grid/delivery_paths.h"
@@ -59,6 +60,7 @@ struct CheckInput {
   std::string out;
   Json report;
   std::set<CellId> chosen;
+  bool has_area = true;  // false: the area of the job could not be read
 };
 
 ReportedOutput ReadOutput(const CheckInput& input) {
@@ -315,6 +317,9 @@ class AcceptanceCheck {
     result_.files = static_cast<int64_t>(files_.compared());
     for (const std::string& path : files_.missing()) Add(kMissingFile, {}, std::nullopt, path);
     for (const std::string& path : files_.changed()) Add(kChangedFile, {}, std::nullopt, path);
+    for (const std::string& note : ChangedPlacement(input_.scene, input_.out, input_.has_area)) {
+      Add(kPlacement, {}, std::nullopt, note);
+    }
   }
 
   void AddReported() {
@@ -363,6 +368,7 @@ absl::StatusOr<CheckInput> LoadInput(const std::string& in, const std::string& o
         "--output-format, compare that, or look for faults in the output alone: tilemend check ", out));
   }
   const absl::Status area = ApplyAreaChoice(Text(Member(options, "area")), input.scene).status();
+  input.has_area = area.ok();
   if (!area.ok()) warnings.push_back(absl::StrCat(std::string(area.message()), ": checked without the area"));
   TILEMEND_ASSIGN_OR_RETURN(input.chosen, ChooseCells(Text(Member(options, "cells")), input.scene));
   return input;
