@@ -131,7 +131,12 @@ class AcceptanceCheck {
     CheckArea(tile.cell, after.faces.mesh, change.added);
     CheckWater(tile.cell, after.faces.mesh, change.added);
     CheckLevels(tile.cell, before, after, change);
-    if (reported_.has_textures) files_.Compare(before.files);
+    if (!NamesTheSame(before, after)) Add(kChangedFile, tile.cell, std::nullopt, output + ": names other files");
+    if (!reported_.has_textures) return absl::OkStatus();
+    files_.Compare(before.files);
+    for (const std::string& name : NewMissingNames(before, after)) {
+      Add(kMissingFile, tile.cell, std::nullopt, absl::StrCat(name, " of ", output));
+    }
     return absl::OkStatus();
   }
 

@@ -40,6 +40,12 @@ TEST(AreaRimTest, NeighboursAreThoseWithinReach) {
   EXPECT_THAT(rim.NeighboursAt({0, 0}, {9.5, 5, 0}), testing::IsEmpty());
 }
 
+TEST(CarriedFilesTest, MaterialsAreDefinedOnce) {
+  EXPECT_FALSE(DefinesAgain("newmtl a\nnewmtl a\n", "newmtl a\nnewmtl a\nnewmtl b\nnewmtl b\n"));
+  EXPECT_FALSE(DefinesAgain("", "newmtl a\nnewmtl a\n"));
+  EXPECT_TRUE(DefinesAgain("newmtl a\nKd 1 1 1\n", "newmtl a\nKd 1 1 1\nnewmtl a\nKd 1 0 0\n"));
+}
+
 TEST(CarriedFilesTest, MaterialFilesMayBeLongerAndImagesMayNot) {
   const TemporaryFolder folder;
   folder.Write("in/a.mtl", "newmtl a\n");

@@ -176,6 +176,32 @@ TEST_F(DeliveryRunTest, AnImageMustBeTheSameAndAMaterialFileMayGrow) {
   EXPECT_EQ(Count(Check(100), "changed_files"), 1);
 }
 
+TEST_F(DeliveryRunTest, NoMaterialIsDefinedAgain) {
+  const std::string library = "out/Data/Tile_+000_+000/Tile_+000_+000.mtl", text = Read(library);
+  const size_t name = text.find("newmtl ");
+  ASSERT_NE(name, std::string::npos);
+  folder_.Write(library, absl::StrCat(text, text.substr(name, text.find('\n', name) + 1 - name), "Kd 1 0 0\n"));
+  EXPECT_EQ(Count(Check(100), "changed_files"), 1);
+}
+
+TEST_F(DeliveryRunTest, MaterialFilesKeepTheirNames) {
+  const std::string text = Read(kTile);
+  const size_t at = text.find("mtllib ");
+  ASSERT_NE(at, std::string::npos);
+  folder_.Write(kTile, text.substr(0, at) + text.substr(text.find('\n', at) + 1));
+  EXPECT_EQ(Count(Check(100), "changed_files"), 1);
+}
+
+TEST_F(DeliveryRunTest, ImagesOfFillsMustBeThere) {
+  std::filesystem::remove_all(folder_ / "scene");
+  std::filesystem::remove_all(folder_ / "out");
+  WriteImageScene(folder_);
+  ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / "out"}).code, 0);
+  Check(0);
+  ASSERT_TRUE(std::filesystem::remove(folder_ / "out/T0_tilemend.jpg"));
+  EXPECT_EQ(Count(Check(100), "missing_files"), 1);
+}
+
 TEST_F(DeliveryRunTest, AMissingTileIsNamed) {
   std::filesystem::remove(folder_ / kTile);
   EXPECT_EQ(Count(Check(100), "missing_tiles"), 1);
