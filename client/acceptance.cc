@@ -16,6 +16,7 @@
 #include "client/coarser_levels.h"
 #include "client/left_holes.h"
 #include "client/lost_fills.h"
+#include "client/original_rims.h"
 #include "client/output_tiles.h"
 #include "client/reported_output.h"
 #include "client/tile_placement.h"
@@ -196,6 +197,7 @@ class AcceptanceCheck {
       for (const Point3& p : places->second) Add(kind, cell, p);
     }
     edges_.Add(t, cell.row, found.open);
+    originals_.Add(cell.row, found.open);
     if (reported_.overlap > 0) strips_[t] = {cell, StripOf(cell, after, found.inner)};
   }
 
@@ -265,6 +267,7 @@ class AcceptanceCheck {
       const bool is_at_rim = lost_.IsAtRim(e.edge.from, e.edge.to);
       if (is_at_rim && (e.edge.after != 1 || !MayBeOpen(e))) lost_.Add(e);
     }
+    originals_.ForgetBelow(row - 1);
     std::erase_if(strips_, [&](const auto& kept) { return kept.second.cell.row < row - 1; });
   }
 
@@ -280,7 +283,7 @@ class AcceptanceCheck {
     const CellId cell = input_.scene.tiles[open.tile].cell;
     const Point3 middle = (open.edge.from + open.edge.to) / 2;
     return IsCovered(cell, middle, open.edge.is_inner) || open.edge.is_covered ||
-           rim_.HasEdge(cell, open.edge.from, open.edge.to) ||
+           rim_.HasEdge(cell, open.edge.from, open.edge.to, originals_.EndsOf(open.edge)) ||
            left_.AreAt(middle.head<2>(), rim_.NeighboursAt(cell, middle));
   }
 
@@ -346,6 +349,7 @@ class AcceptanceCheck {
   CoarserLevels levels_;
   CarriedFiles files_;
   JoinedEdges edges_;
+  OriginalRims originals_;
   std::map<int32_t, KeptTile> strips_;  // by tile
   std::map<std::pair<CellId, CellId>, BorderTally> borders_;
   int32_t row_ = 0;

@@ -5,6 +5,7 @@
 
 #include "client/acceptance_text.h"
 #include "client/carried_files.h"
+#include "client/original_rims.h"
 #include "tests/support/temporary_folder.h"
 
 namespace tilemend {
@@ -25,6 +26,28 @@ TEST(AreaRimTest, SidesWithoutANeighbourAreTheRim) {
   EXPECT_TRUE(rim.HasEdge({0, 0}, {3, 0, 5}, {4, 0, 5}));
   EXPECT_FALSE(rim.HasEdge({0, 0}, {10, 3, 5}, {10, 4, 5}));
   EXPECT_FALSE(rim.HasEdge({0, 0}, {5, 5, 5}, {6, 5, 5}));
+}
+
+TEST(AreaRimTest, NewVerticesLieOnTheRim) {
+  const AreaRim rim(TwoCells(), 0), overlapping(TwoCells(), 0.1);
+  const Point3 off(3, 0.5, 5), on(4, 0, 5);
+  EXPECT_TRUE(rim.HasEdge({0, 0}, off, on));
+  EXPECT_TRUE(rim.HasEdge({0, 0}, off, on, {true, false}));
+  EXPECT_FALSE(rim.HasEdge({0, 0}, off, on, {false, true}));
+  EXPECT_TRUE(overlapping.HasEdge({0, 0}, off, on, {false, true}));
+}
+
+TEST(OriginalRimsTest, KnowsVerticesUntilTheirRowsArePast) {
+  OriginalRims rims;
+  const Point3 a(0, 0, 1), b(1, 0, 1), c(2, 0, 1);
+  rims.Add(0, {{a, b, 1, 2, true}, {b, c, 0, 1, true}});
+  EXPECT_TRUE(rims.EndsOf({b, c, 0, 1, true}).from);
+  EXPECT_FALSE(rims.EndsOf({b, c, 0, 1, true}).to);
+  EXPECT_TRUE(rims.EndsOf({b, c, 0, 1, false}).to) << "of an original triangle";
+  rims.Add(1, {{a, c, 1, 1, false}});
+  rims.ForgetBelow(1);
+  EXPECT_TRUE(rims.EndsOf({a, c, 0, 1, true}).to);
+  EXPECT_FALSE(rims.EndsOf({a, b, 0, 1, true}).to);
 }
 
 TEST(AreaRimTest, TheOutlineOfThePolygonIsTheRim) {
