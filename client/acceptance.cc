@@ -262,6 +262,12 @@ class AcceptanceCheck {
     for (const NewOpenEdge& e : released.crowded) {
       Add(kNonManifoldEdge, input_.scene.tiles[e.tile].cell, (e.edge.from + e.edge.to) / 2, "between tiles");
     }
+    // The same edge in two layers that lie over each other is no seam.
+    if (reported_.overlap <= 0) {
+      for (const NewOpenEdge& e : released.turned) {
+        Add(kTurnedEdge, input_.scene.tiles[e.tile].cell, (e.edge.from + e.edge.to) / 2, "between tiles");
+      }
+    }
     for (const NewOpenEdge& e : released.open) JudgeOpenEdge(e);
     for (const NewOpenEdge& e : released.rims) {
       const bool is_at_rim = lost_.IsAtRim(e.edge.from, e.edge.to);

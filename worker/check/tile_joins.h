@@ -61,13 +61,15 @@ class JoinedEdges {
   struct Released {
     std::vector<NewOpenEdge> open;     // with one triangle, and not in the input
     std::vector<NewOpenEdge> crowded;  // with more than two triangles
+    std::vector<NewOpenEdge> turned;   // of two tiles, with one triangle of each; these go round in the same direction
     std::vector<NewOpenEdge> rims;     // with one triangle in the input, and one or more in the output
   };
   Released ReleaseBelow(int32_t row);
 
  private:
   struct Sum {
-    int32_t before = 0, after = 0, tile = 0, row = 0;
+    int32_t before = 0, after = 0, forward = 0, tile = 0, row = 0;
+    int32_t single = 0;  // tiles with one triangle there
     bool is_added = false, is_inner = false, is_covered = false;
   };
   std::map<std::array<double, 6>, Sum> sums_;
