@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -14,6 +16,7 @@ namespace tilemend {
 namespace {
 
 constexpr double kWallNormal = 0.7;  // upward part of the normal: steeper than 45 degrees
+constexpr double kUpright = 1e-3;    // upward part of the normal: a lattice of 2^-10 m on a wall that is 1 m long
 
 // Connected added triangles.
 struct FillPiece {
@@ -77,19 +80,33 @@ class FillPieces {
   }
 
   // Takes vertices out that stand on a wall of the fill up to its boundary: all of their triangles are steep, and one
-  // reaches the boundary.
+  // reaches the boundary. A wall goes up to its ends: what stands out above or below all around it is none of it,
+  // unless a triangle there is upright.
   void LeaveOutWalls(FillPiece& piece) const {
-    std::set<int32_t> level, beside;
+    std::set<int32_t> level, beside, upright;
+    std::map<int32_t, std::pair<double, double>> around;  // the lowest and the highest neighbour
     for (const Triangle& t : piece.triangles) {
       const Eigen::Vector3d normal = TwiceVectorArea(index_.positions(), t);
       const bool steep = normal.z() < kWallNormal * normal.norm();
       const bool at_boundary = std::any_of(t.begin(), t.end(), [&](int32_t v) { return !piece.inside.contains(v); });
-      for (const int32_t v : t) {
+      const bool stands = std::abs(normal.z()) <= kUpright * normal.norm();
+      for (int k = 0; k < 3; ++k) {
+        const int32_t v = t[k];
         if (!steep) level.insert(v);
         if (at_boundary) beside.insert(v);
+        if (stands) upright.insert(v);
+        auto& [lowest, highest] = around.try_emplace(v, INFINITY, -INFINITY).first->second;
+        for (const int32_t other : {t[(k + 1) % 3], t[(k + 2) % 3]}) {
+          lowest = std::min(lowest, index_.positions()[other].z());
+          highest = std::max(highest, index_.positions()[other].z());
+        }
       }
     }
-    std::erase_if(piece.inside, [&](int32_t v) { return !level.contains(v) && beside.contains(v); });
+    std::erase_if(piece.inside, [&](int32_t v) {
+      const double z = index_.positions()[v].z();
+      const bool is_peak = z > around[v].second + kLevelTolerance || z < around[v].first - kLevelTolerance;
+      return !level.contains(v) && beside.contains(v) && (!is_peak || upright.contains(v));
+    });
   }
 
   static void FindInside(FillPiece& piece) {

@@ -79,9 +79,26 @@ TEST(WaterFillTest, OriginalVerticesInTheFillAreShore) {
   EXPECT_THAT(CheckWaterFills(mesh, added, {kHole})[0].off, IsEmpty());
 }
 
-TEST(WaterFillTest, ThePeakOfAWallAtTheBoundaryIsNoWater) {
+TEST(WaterFillTest, AWallUpToTheBoundaryIsNoWater) {
   TriMesh mesh = Pond();
   mesh.points[VertexAt(mesh, 1, 3)].z() += 30;  // all triangles around it are steep, and some reach the boundary
+  for (const double y : {2, 3, 4}) mesh.points[VertexAt(mesh, 0, y)].z() += 31;
+  EXPECT_THAT(CheckWaterFills(mesh, AllOf(mesh), {kHole})[0].off, IsEmpty());
+}
+
+TEST(WaterFillTest, ASpikeBesideTheBoundaryIsNoWall) {
+  TriMesh mesh = Pond();
+  mesh.points[VertexAt(mesh, 1, 3)].z() += 30;
+  EXPECT_THAT(CheckWaterFills(mesh, AllOf(mesh), {kHole})[0].off, SizeIs(1));
+  mesh.points[VertexAt(mesh, 1, 3)].z() -= 60;
+  EXPECT_THAT(CheckWaterFills(mesh, AllOf(mesh), {kHole})[0].off, SizeIs(1));
+}
+
+// It stands above the boundary, as on a gable.
+TEST(WaterFillTest, ThePeakOfAnUprightWallIsNoWater) {
+  TriMesh mesh = Pond();
+  Point3& peak = mesh.points[VertexAt(mesh, 1, 3)];
+  peak = {0, 3, peak.z() + 30};
   EXPECT_THAT(CheckWaterFills(mesh, AllOf(mesh), {kHole})[0].off, IsEmpty());
 }
 
