@@ -21,6 +21,7 @@
 #include "client/reported_output.h"
 #include "client/tile_placement.h"
 #include "client/unfinished.h"
+#include "client/water_seams.h"
 #include "common/grid/cell_choice.h"
 #include "common/grid/delivery_paths.h"
 #include "common/util/files.h"
@@ -249,6 +250,7 @@ class AcceptanceCheck {
       ++result_.water_fills;
       const Point3 centre(holes[h].centre.x(), holes[h].centre.y(), holes[h].lowest);
       if (!findings[h].is_found) Add(kWaterWithoutFill, cell, centre, absl::StrCat("hole ", waters->second[h].hole));
+      seams_.Add(cell, findings[h].off_at_seam);
       for (const Point3& p : findings[h].off) {
         const double off = p.z() < holes[h].lowest ? p.z() - holes[h].lowest : p.z() - holes[h].highest;
         Add(kWaterOffLevel, cell, p, absl::StrFormat("%+.3f m", off));
@@ -272,6 +274,9 @@ class AcceptanceCheck {
     for (const NewOpenEdge& e : released.rims) {
       const bool is_at_rim = lost_.IsAtRim(e.edge.from, e.edge.to);
       if (is_at_rim && (e.edge.after != 1 || !MayBeOpen(e))) lost_.Add(e);
+    }
+    for (const WaterSeams::Place& place : seams_.ReleaseBelow(row, originals_)) {
+      Add(kWaterOffLevel, place.cell, place.at, "between tiles");
     }
     originals_.ForgetBelow(row - 1);
     std::erase_if(strips_, [&](const auto& kept) { return kept.second.cell.row < row - 1; });
@@ -356,6 +361,7 @@ class AcceptanceCheck {
   CarriedFiles files_;
   JoinedEdges edges_;
   OriginalRims originals_;
+  WaterSeams seams_;
   std::map<int32_t, KeptTile> strips_;  // by tile
   std::map<std::pair<CellId, CellId>, BorderTally> borders_;
   int32_t row_ = 0;

@@ -21,8 +21,10 @@ void OriginalRims::Add(int32_t row, const std::vector<OpenEdge>& edges) {
 
 AreaRim::OriginalEnds OriginalRims::EndsOf(const OpenEdge& edge) const {
   if (!edge.is_added) return {true, true};
-  return {rows_.contains(PositionKey(edge.from)), rows_.contains(PositionKey(edge.to))};
+  return {Has(edge.from), Has(edge.to)};
 }
+
+bool OriginalRims::Has(const Point3& p) const { return rows_.contains(PositionKey(p)); }
 
 void OriginalRims::ForgetBelow(int32_t row) {
   std::erase_if(rows_, [&](const auto& entry) { return entry.second < row; });

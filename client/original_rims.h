@@ -22,6 +22,9 @@ class OriginalRims {
   // triangle both. O(log n).
   AreaRim::OriginalEnds EndsOf(const OpenEdge& edge) const;
 
+  // Whether p is such a vertex. O(log n).
+  bool Has(const Point3& p) const;
+
   // Forgets the vertices that are in tiles in rows below `row` alone. Linear.
   void ForgetBelow(int32_t row);
 

@@ -6,6 +6,7 @@
 #include "client/acceptance_text.h"
 #include "client/carried_files.h"
 #include "client/original_rims.h"
+#include "client/water_seams.h"
 #include "tests/support/temporary_folder.h"
 
 namespace tilemend {
@@ -48,6 +49,21 @@ TEST(OriginalRimsTest, KnowsVerticesUntilTheirRowsArePast) {
   rims.ForgetBelow(1);
   EXPECT_TRUE(rims.EndsOf({a, c, 0, 1, true}).to);
   EXPECT_FALSE(rims.EndsOf({a, b, 0, 1, true}).to);
+}
+
+TEST(WaterSeamsTest, VerticesOfTwoTilesThatTheSceneDoesNotHave) {
+  const Point3 shore(0, 0, 1), seam(1, 0, 1), single(2, 0, 1);
+  OriginalRims rims;
+  rims.Add(1, {{shore, single, 1, 1, false}});
+  WaterSeams seams;
+  seams.Add({0, 0}, {shore, seam, {3, 0, 1}});
+  seams.Add({0, 0}, {{3, 0, 1}});
+  seams.Add({0, 1}, {shore, seam});
+  EXPECT_TRUE(seams.ReleaseBelow(1, rims).empty()) << "tiles in row 2 are not read";
+  const auto places = seams.ReleaseBelow(2, rims);
+  ASSERT_EQ(places.size(), 1U);
+  EXPECT_EQ(places[0].at, seam);
+  EXPECT_TRUE(seams.ReleaseBelow(2, rims).empty());
 }
 
 TEST(AreaRimTest, TheOutlineOfThePolygonIsTheRim) {

@@ -22,6 +22,7 @@ constexpr double kUpright = 1e-3;    // upward part of the normal: a lattice of 
 struct FillPiece {
   std::vector<Triangle> triangles;  // welded vertices
   std::set<int32_t> inside;         // vertices that are on no boundary of the piece
+  std::set<int32_t> seam;           // those on it that original surface does not have
   Eigen::AlignedBox2d box;
 };
 
@@ -38,7 +39,7 @@ class FillPieces {
       Triangle& welded = triangles.emplace_back();
       for (size_t k = 0; k < 3; ++k) welded[k] = index_.Insert(tile.points[tile.triangles[t][k]]);
     }
-    for (std::vector<Triangle>& piece : PiecesByEdges(triangles)) pieces_.push_back({std::move(piece), {}, {}});
+    for (std::vector<Triangle>& piece : PiecesByEdges(triangles)) pieces_.push_back({std::move(piece), {}, {}, {}});
     for (FillPiece& piece : pieces_) {
       for (const Triangle& t : piece.triangles) {
         for (const int32_t v : t) piece.box.extend(At(v));
@@ -47,7 +48,9 @@ class FillPieces {
     const std::vector<bool> shore = ShoreOf(tile, added);
     for (FillPiece& piece : pieces_) {
       FindInside(piece);
-      std::erase_if(piece.inside, [&](int32_t v) { return shore[static_cast<size_t>(v)]; });
+      for (std::set<int32_t>* of : {&piece.inside, &piece.seam}) {
+        std::erase_if(*of, [&](int32_t v) { return shore[static_cast<size_t>(v)]; });
+      }
       LeaveOutWalls(piece);
     }
   }
@@ -102,11 +105,13 @@ class FillPieces {
         }
       }
     }
-    std::erase_if(piece.inside, [&](int32_t v) {
+    const auto is_wall = [&](int32_t v) {
       const double z = index_.positions()[v].z();
       const bool is_peak = z > around[v].second + kLevelTolerance || z < around[v].first - kLevelTolerance;
       return !level.contains(v) && beside.contains(v) && (!is_peak || upright.contains(v));
-    });
+    };
+    std::erase_if(piece.inside, is_wall);
+    std::erase_if(piece.seam, is_wall);
   }
 
   static void FindInside(FillPiece& piece) {
@@ -122,8 +127,10 @@ class FillPieces {
     for (size_t i = 0, next = 0; i < edges.size(); i = next) {
       while (next < edges.size() && edges[next] == edges[i]) ++next;
       if (next - i != 1) continue;
-      piece.inside.erase(static_cast<int32_t>(edges[i] >> 32));
-      piece.inside.erase(static_cast<int32_t>(edges[i] & 0xffffffffU));
+      for (const uint64_t end : {edges[i] >> 32, edges[i] & 0xffffffffU}) {
+        piece.inside.erase(static_cast<int32_t>(end));
+        piece.seam.insert(static_cast<int32_t>(end));
+      }
     }
   }
 
@@ -136,10 +143,14 @@ class FillPieces {
 
   WaterFinding CheckPiece(const FillPiece& piece, const WaterHole& hole) const {
     WaterFinding finding{true, std::ssize(piece.inside), {}};
-    for (const int32_t v : piece.inside) {
-      const Point3& p = index_.positions()[v];
-      if (p.z() < hole.lowest - kLevelTolerance || p.z() > hole.highest + kLevelTolerance) finding.off.push_back(p);
-    }
+    const auto add_off = [&](const std::set<int32_t>& vertices, std::vector<Point3>& off) {
+      for (const int32_t v : vertices) {
+        const Point3& p = index_.positions()[v];
+        if (p.z() < hole.lowest - kLevelTolerance || p.z() > hole.highest + kLevelTolerance) off.push_back(p);
+      }
+    };
+    add_off(piece.inside, finding.off);
+    add_off(piece.seam, finding.off_at_seam);
     return finding;
   }
 
