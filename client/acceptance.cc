@@ -1,7 +1,6 @@
 #include "client/acceptance.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -10,12 +9,19 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "client/acceptance_kinds.h"
 #include "client/area_rim.h"
 #include "client/carried_files.h"
 #include "client/checked_tile.h"
+#include "client/coarser_levels.h"
+#include "client/left_holes.h"
+#include "client/lost_fills.h"
+#include "client/original_rims.h"
 #include "client/output_tiles.h"
 #include "client/reported_output.h"
+#include "client/tile_placement.h"
 #include "client/unfinished.h"
+#include "client/water_seams.h"
 #include "common/grid/cell_choice.h"
 #include "common/grid/delivery_paths.h"
 #include "common/util/files.h"
@@ -40,53 +46,6 @@ constexpr double kShareApart = 0.01;  // but for this share of the places of a b
 // streets, blocks and made cities they were .97 to 1.06 times as large, as triangles reach over the cell's sides.
 constexpr double kAreaOff = 0.1, kAreaOffOfCell = 0.01;
 
-enum Kind {
-  kMissingTile,
-  kMissingFace,
-  kClearedFaces,
-  kMissingFile,
-  kChangedFile,
-  kOpenEdge,
-  kCrossedFill,
-  kCrossedSurface,
-  kNonManifoldEdge,
-  kTurnedEdge,
-  kFlatTriangle,
-  kFillArea,
-  kWaterOffLevel,
-  kWaterWithoutFill,
-  kFillsApart,
-  kLeftHole,
-  kCrossedRim,
-  kOtherMesh,
-  kKinds
-};
-
-struct KindText {
-  const char *name, *label;
-  bool is_fault;
-};
-constexpr std::array<KindText, kKinds> kTexts = {{
-    {"missing_tiles", "missing tiles", true},
-    {"missing_faces", "original faces that are missing or changed", true},
-    {"cleared_faces", "tiles with more faces taken out than reported", true},
-    {"missing_files", "missing material files and images", true},
-    {"changed_files", "changed material files and images", true},
-    {"open_edges", "new open edges", true},
-    {"crossed_fills", "filled triangles that cross each other", true},
-    {"crossed_surface", "filled triangles that cross the original surface", true},
-    {"nonmanifold_edges", "new edges with more than two triangles", true},
-    {"turned_edges", "new edges whose triangles face opposite ways", true},
-    {"flat_triangles", "filled triangles without area", true},
-    {"fill_areas", "tiles whose fills are larger or smaller than their holes", true},
-    {"water_off_level", "points of water that are not at its level", true},
-    {"water_without_fill", "waters without a fill", true},
-    {"fills_apart", "places where fills of two tiles are more than 2 cm apart", true},
-    {"left_holes", "holes left open, as reported", false},
-    {"crossed_rims", "filled triangles at rims that the input's surface passes through", false},
-    {"other_meshes", "other meshes among the tiles", false},
-}};
-
 // Of the strip of one tile along the sides of its cell, while its neighbours are looked at.
 struct KeptTile {
   CellId cell;
@@ -104,12 +63,13 @@ struct CheckInput {
   std::string out;
   Json report;
   std::set<CellId> chosen;
+  bool has_area = true;  // false: the area of the job could not be read
 };
 
 ReportedOutput ReadOutput(const CheckInput& input) {
   ReportedOutput reported = ReadReported(input.report);
   const auto text = ReadFile(absl::StrCat(input.out, "/holes.geojson"));
-  if (text.ok()) AddLeftRims(ParseShallow(*text), input.scene.origin.head<2>(), reported);
+  if (text.ok()) AddRims(ParseShallow(*text), input.scene.origin.head<2>(), reported);
   return reported;
 }
 
@@ -119,8 +79,12 @@ class AcceptanceCheck {
       : input_(std::move(input)),
         reported_(ReadOutput(input_)),
         rim_(input_.scene, reported_.overlap),
+        left_(reported_.left),
+        lost_(reported_.filled_rims),
+        levels_(reported_.levels),
         files_(input_.scene.root, input_.out) {
-    for (const KindText& text : kTexts) result_.findings.push_back({text.name, text.label, text.is_fault, 0, {}});
+    for (const AcceptanceKindText& text : kAcceptanceKinds)
+      result_.findings.push_back({text.name, text.label, text.is_fault, 0, {}});
   }
 
   absl::StatusOr<Acceptance> Run() {
@@ -131,14 +95,17 @@ class AcceptanceCheck {
       TILEMEND_RETURN_IF_ERROR(CheckTile(static_cast<int32_t>(t)));
     }
     Resolve(row_ + 2);
+    AddLostFills();
     AddBorders();
+    for (const CoarserLevels::Fault& f : levels_.Unfilled()) Add(kUnfilledLevel, f.cell, std::nullopt, f.note);
+    for (const CoarserLevels::Fault& f : levels_.Cleared()) Add(kClearedFaces, f.cell, std::nullopt, f.note);
     AddFiles();
     AddReported();
     return std::move(result_);
   }
 
  private:
-  void Add(Kind kind, CellId cell, std::optional<Point3> at, std::string note = "") {
+  void Add(AcceptanceKind kind, CellId cell, std::optional<Point3> at, std::string note = "") {
     AcceptanceFinding& finding = result_.findings[kind];
     ++finding.count;
     if (finding.places.size() < kMostAcceptancePlaces) finding.places.push_back({cell, std::move(at), std::move(note)});
@@ -166,23 +133,32 @@ class AcceptanceCheck {
     CheckFaces(t, before.faces.mesh, after.faces.mesh, change);
     CheckArea(tile.cell, after.faces.mesh, change.added);
     CheckWater(tile.cell, after.faces.mesh, change.added);
-    CheckCoarser(tile.cell, before, after);
-    if (reported_.has_textures) files_.Compare(before.files);
+    CheckLevels(tile.cell, before, after, change);
+    if (!NamesTheSame(before, after)) Add(kChangedFile, tile.cell, std::nullopt, output + ": names other files");
+    if (!reported_.has_textures) return absl::OkStatus();
+    files_.Compare(before.files);
+    for (const std::string& name : NewMissingNames(before, after)) {
+      Add(kMissingFile, tile.cell, std::nullopt, absl::StrCat(name, " of ", output));
+    }
     return absl::OkStatus();
   }
 
-  // The other levels of detail: originals are there, but for what clearing takes out of each level.
-  void CheckCoarser(CellId cell, const CheckedTile& before, const CheckedTile& after) {
+  // The levels of detail: originals are there, but for what clearing takes out of each level.
+  void CheckLevels(CellId cell, const CheckedTile& before, const CheckedTile& after, const TileChange& finest) {
     if (before.coarser.size() != after.coarser.size()) {
       Add(kMissingFace, cell, std::nullopt,
           absl::StrCat(before.coarser.size() + 1, " levels of detail, ", after.coarser.size() + 1, " in the output"));
       return;
     }
-    if (reported_.cleared.contains(cell)) return;
+    const bool is_cleared = reported_.cleared.contains(cell);
+    std::vector<TileChange> levels;
     for (size_t l = 0; l < before.coarser.size(); ++l) {
-      const TileChange change = CompareTiles(before.coarser[l], after.coarser[l]);
+      const TileChange& change = levels.emplace_back(CompareTiles(before.coarser[l], after.coarser[l]));
+      if (is_cleared) continue;
       for (const int32_t t : change.missing) Add(kMissingFace, cell, MiddleOf(before.coarser[l].mesh, t));
     }
+    levels.push_back(finest);
+    levels_.Add(cell, levels, is_cleared);
   }
 
   static std::vector<bool> NoneOf(const TriMesh& mesh) { return std::vector<bool>(mesh.triangles.size(), false); }
@@ -210,7 +186,7 @@ class AcceptanceCheck {
   }
 
   void CheckFaces(int32_t t, const TriMesh& before, const TriMesh& after, const TileChange& change) {
-    constexpr std::pair<AddedFault, Kind> kFaults[] = {
+    constexpr std::pair<AddedFault, AcceptanceKind> kFaults[] = {
         {AddedFault::kCrossedFill, kCrossedFill}, {AddedFault::kCrossedSurface, kCrossedSurface},
         {AddedFault::kCrossedRim, kCrossedRim},   {AddedFault::kNonManifoldEdge, kNonManifoldEdge},
         {AddedFault::kTurnedEdge, kTurnedEdge},   {AddedFault::kFlatTriangle, kFlatTriangle}};
@@ -223,6 +199,7 @@ class AcceptanceCheck {
       for (const Point3& p : places->second) Add(kind, cell, p);
     }
     edges_.Add(t, cell.row, found.open);
+    originals_.Add(cell.row, found.open);
     if (reported_.overlap > 0) strips_[t] = {cell, StripOf(cell, after, found.inner)};
   }
 
@@ -274,6 +251,7 @@ class AcceptanceCheck {
       ++result_.water_fills;
       const Point3 centre(holes[h].centre.x(), holes[h].centre.y(), holes[h].lowest);
       if (!findings[h].is_found) Add(kWaterWithoutFill, cell, centre, absl::StrCat("hole ", waters->second[h].hole));
+      seams_.Add(cell, findings[h].off_at_seam);
       for (const Point3& p : findings[h].off) {
         const double off = p.z() < holes[h].lowest ? p.z() - holes[h].lowest : p.z() - holes[h].highest;
         Add(kWaterOffLevel, cell, p, absl::StrFormat("%+.3f m", off));
@@ -287,17 +265,42 @@ class AcceptanceCheck {
     for (const NewOpenEdge& e : released.crowded) {
       Add(kNonManifoldEdge, input_.scene.tiles[e.tile].cell, (e.edge.from + e.edge.to) / 2, "between tiles");
     }
+    // The same edge in two layers that lie over each other is no seam.
+    if (reported_.overlap <= 0) {
+      for (const NewOpenEdge& e : released.turned) {
+        Add(kTurnedEdge, input_.scene.tiles[e.tile].cell, (e.edge.from + e.edge.to) / 2, "between tiles");
+      }
+    }
     for (const NewOpenEdge& e : released.open) JudgeOpenEdge(e);
+    for (const NewOpenEdge& e : released.rims) {
+      const bool is_at_rim = lost_.IsAtRim(e.edge.from, e.edge.to);
+      if (is_at_rim && (e.edge.after != 1 || !MayBeOpen(e))) lost_.Add(e);
+    }
+    for (const WaterSeams::Place& place : seams_.ReleaseBelow(row, originals_)) {
+      Add(kWaterOffLevel, place.cell, place.at, "between tiles");
+    }
+    originals_.ForgetBelow(row - 1);
     std::erase_if(strips_, [&](const auto& kept) { return kept.second.cell.row < row - 1; });
   }
 
   void JudgeOpenEdge(const NewOpenEdge& open) {
+    if (!MayBeOpen(open)) AddOpenEdge(open);
+  }
+
+  void AddOpenEdge(const NewOpenEdge& open) {
+    Add(kOpenEdge, input_.scene.tiles[open.tile].cell, (open.edge.from + open.edge.to) / 2);
+  }
+
+  bool MayBeOpen(const NewOpenEdge& open) {
     const CellId cell = input_.scene.tiles[open.tile].cell;
     const Point3 middle = (open.edge.from + open.edge.to) / 2;
-    if (IsCovered(cell, middle, open.edge.is_inner) || open.edge.is_covered ||
-        rim_.HasEdge(cell, open.edge.from, open.edge.to) || IsAtLeftHole(cell, middle))
-      return;
-    Add(kOpenEdge, cell, middle);
+    return IsCovered(cell, middle, open.edge.is_inner) || open.edge.is_covered ||
+           rim_.HasEdge(cell, open.edge.from, open.edge.to, originals_.EndsOf(open.edge)) ||
+           left_.AreAt(middle.head<2>(), rim_.NeighboursAt(cell, middle));
+  }
+
+  void AddLostFills() {
+    for (const NewOpenEdge& open : lost_.Lost()) AddOpenEdge(open);
   }
 
   // Whether the tile of a neighbour lies over or under p. Where both have fills there, off their rims, counts
@@ -321,14 +324,6 @@ class AcceptanceCheck {
     return covered;
   }
 
-  bool IsAtLeftHole(CellId cell, const Point3& p) const {
-    const std::vector<CellId> beside = rim_.NeighboursAt(cell, p);
-    return std::ranges::any_of(reported_.left, [&](const ReportedOutput::Left& left) {
-      const bool is_beside = std::ranges::find(beside, left.cell) != beside.end();
-      return IsAtLeft(left, p.head<2>()) || (is_beside && GoesOnAt(left, p.head<2>()));
-    });
-  }
-
   void AddBorders() {
     for (const auto& [cells, tally] : borders_) {
       result_.overlap_places += tally.places;
@@ -342,6 +337,9 @@ class AcceptanceCheck {
     result_.files = static_cast<int64_t>(files_.compared());
     for (const std::string& path : files_.missing()) Add(kMissingFile, {}, std::nullopt, path);
     for (const std::string& path : files_.changed()) Add(kChangedFile, {}, std::nullopt, path);
+    for (const std::string& note : ChangedPlacement(input_.scene, input_.out, input_.has_area)) {
+      Add(kPlacement, {}, std::nullopt, note);
+    }
   }
 
   void AddReported() {
@@ -358,8 +356,13 @@ class AcceptanceCheck {
   const CheckInput input_;
   const ReportedOutput reported_;
   const AreaRim rim_;
+  const LeftHoles left_;
+  LostFills lost_;
+  CoarserLevels levels_;
   CarriedFiles files_;
   JoinedEdges edges_;
+  OriginalRims originals_;
+  WaterSeams seams_;
   std::map<int32_t, KeptTile> strips_;  // by tile
   std::map<std::pair<CellId, CellId>, BorderTally> borders_;
   int32_t row_ = 0;
@@ -387,6 +390,7 @@ absl::StatusOr<CheckInput> LoadInput(const std::string& in, const std::string& o
         "--output-format, compare that, or look for faults in the output alone: tilemend check ", out));
   }
   const absl::Status area = ApplyAreaChoice(Text(Member(options, "area")), input.scene).status();
+  input.has_area = area.ok();
   if (!area.ok()) warnings.push_back(absl::StrCat(std::string(area.message()), ": checked without the area"));
   TILEMEND_ASSIGN_OR_RETURN(input.chosen, ChooseCells(Text(Member(options, "cells")), input.scene));
   return input;

@@ -43,11 +43,16 @@ struct Acceptance {
 
 // Compares the output `out` of `tilemend run` with the scene `in`. Faults are
 //   an original face that its tile does not have to the bit, unless the report says that it was cleared;
-//   a changed image or material file;
+//   a changed image or material file, a material that is defined again, other names of them in a tile, and files that
+//   fills name and that are not there;
+//   a file that says where tiles lie and is missing or says another thing (client/tile_placement.h);
 //   self-intersections, edges with more than two triangles, turned edges and triangles without area, with added faces;
 //   an open edge, over all tiles together, that the input does not have (exceptions: on the rim of the area, at holes
 //   that the report lists as left, and where tiles overlap and the neighbour covers it);
+//   the open edges around a hole that was filled, by the report, and has no fill;
 //   fills of a tile that are larger or smaller than the holes in the report;
+//   a coarser level of detail without new faces in a tile with fills, where the report says of the level that more were
+//   added than it has; a level of cleared tiles that lacks more faces than the report says;
 //   water off its level;
 //   fills of overlapping tiles that are more than 2 cm apart at more than 1 % of the places of a border.
 //

@@ -44,10 +44,11 @@ double AreaRim::DistanceFrom(CellId cell, const Point2& p) const {
   return distance;
 }
 
-bool AreaRim::HasEdge(CellId cell, const Point3& from, const Point3& to) const {
+bool AreaRim::HasEdge(CellId cell, const Point3& from, const Point3& to, OriginalEnds original) const {
   const Point2 a = from.head<2>(), b = to.head<2>();
-  const double limit = std::max({kOnLine, reach_ + kOnLine, (a - b).norm()});
-  return DistanceFrom(cell, a) <= limit && DistanceFrom(cell, b) <= limit;
+  const double near = std::max({kOnLine, reach_ + kOnLine, (a - b).norm()});
+  const auto limit = [&](bool is_original) { return is_original || reach_ > 0 ? near : kOnLine; };
+  return DistanceFrom(cell, a) <= limit(original.from) && DistanceFrom(cell, b) <= limit(original.to);
 }
 
 std::vector<CellId> AreaRim::NeighboursAt(CellId cell, const Point3& p) const {

@@ -16,12 +16,16 @@ enum class CarriedState { kSame, kMissing, kChanged };
 // Memory O(1), time linear in the files.
 CarriedState CompareFiles(const std::string& in, const std::string& out, bool may_be_longer);
 
+// Whether a material file `after` defines a material again that it had `before`: programs differ in which they take.
+bool DefinesAgain(const std::string& before, const std::string& after);
+
 // Remembers which files were compared.
 class CarriedFiles {
  public:
   CarriedFiles(std::string in, std::string out) : in_(std::move(in)), out_(std::move(out)) {}
 
-  // Compares the files of one more tile that were not compared yet: images byte by byte, material files as beginnings.
+  // Compares the files of one more tile that were not compared yet: images byte by byte, material files as beginnings,
+  // after which none of their materials is defined again.
   void Compare(const TileFiles& files);
 
   const std::vector<std::string>& missing() const { return missing_; }
@@ -29,7 +33,7 @@ class CarriedFiles {
   size_t compared() const { return seen_.size(); }
 
  private:
-  void CompareOne(const std::string& path, bool may_be_longer);
+  void CompareOne(const std::string& path, bool is_library);
 
   const std::string in_, out_;
   std::set<std::string> seen_;

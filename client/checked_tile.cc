@@ -1,5 +1,6 @@
 #include "client/checked_tile.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "common/codec/face_looks.h"
 #include "common/codec/mesh_file.h"
 #include "common/codec/obj.h"
+#include "common/codec/ply_colours.h"
 #include "common/codec/tree/tile_tree.h"
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
@@ -30,7 +32,28 @@ absl::StatusOr<CheckedTile> ReadTree(const std::string& pack, const std::string&
   return tile;
 }
 
+void TakeLook(TileLook look, CheckedTile& tile) {
+  for (const FileWitness::Lookup& lookup : look.witness.lookups) {
+    bool& is_there = tile.is_there[lookup.name];
+    is_there = is_there || !lookup.path.empty();
+  }
+  tile.files = std::move(look.files);
+}
+
 }  // namespace
+
+bool NamesTheSame(const CheckedTile& before, const CheckedTile& after) {
+  return after.named.size() >= before.named.size() && after.named.size() <= before.named.size() + 1 &&
+         std::equal(before.named.begin(), before.named.end(), after.named.begin());
+}
+
+std::vector<std::string> NewMissingNames(const CheckedTile& before, const CheckedTile& after) {
+  std::vector<std::string> names;
+  for (const auto& [name, is_there] : after.is_there) {
+    if (!is_there && !before.is_there.contains(name)) names.push_back(name);
+  }
+  return names;
+}
 
 absl::StatusOr<CheckedTile> ReadCheckedTile(const std::string& root, const std::string& path, const TileFrame& frame) {
   const std::string name = absl::StrCat(root, "/", path);
@@ -43,7 +66,8 @@ absl::StatusOr<CheckedTile> ReadCheckedTile(const std::string& root, const std::
     tile.faces.mesh = std::move(obj.file.mesh);
     tile.faces.looks = ObjFaceLooks(obj.textures, tile.faces.mesh.triangles);
     TILEMEND_ASSIGN_OR_RETURN(TileLook look, ReadObjLook(root, path, obj.textures));
-    tile.files = std::move(look.files);
+    TakeLook(std::move(look), tile);
+    tile.named = std::move(obj.textures.libraries);
     return tile;
   }
   TILEMEND_ASSIGN_OR_RETURN(MeshFile file, ParseMesh(format, bytes, name, NoFaces::kAccept));
@@ -51,7 +75,8 @@ absl::StatusOr<CheckedTile> ReadCheckedTile(const std::string& root, const std::
   if (format == MeshFormat::kPly) {
     TILEMEND_ASSIGN_OR_RETURN(tile.faces.looks, PlyFaceLooks(bytes, name));
     TILEMEND_ASSIGN_OR_RETURN(TileLook look, ReadPlyLook(root, path, bytes));
-    tile.files = std::move(look.files);
+    TakeLook(std::move(look), tile);
+    tile.named = PlyTextureNames(bytes);
   } else {
     tile.faces.looks.assign(tile.faces.mesh.triangles.size(), 0);
   }

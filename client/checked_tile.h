@@ -2,20 +2,31 @@
 #ifndef TILEMEND_CLIENT_CHECKED_TILE_H_
 #define TILEMEND_CLIENT_CHECKED_TILE_H_
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "absl/status/statusor.h"
 #include "common/records/tile_files.h"
+#include "common/util/tile_files.h"
 #include "worker/check/tile_change.h"
 
 namespace tilemend {
 
 struct CheckedTile {
   LookedMesh faces;
-  TileFiles files;                  // material files and images that it names
+  TileFiles files;                 // material files and images that it names
+  std::vector<std::string> named;  // material files of an OBJ, images of a PLY, as they stand in it
+  // The names of files that it or its material files have, and whether there is such a file.
+  std::map<std::string, bool> is_there;
   std::vector<LookedMesh> coarser;  // its other levels of detail, the coarsest first
 };
+
+// Whether `after`, the same tile in an output, names what it named `before`, and then one material file more at most.
+bool NamesTheSame(const CheckedTile& before, const CheckedTile& after);
+
+// The names that `before` does not have, and of which there is no file.
+std::vector<std::string> NewMissingNames(const CheckedTile& before, const CheckedTile& after);
 
 // Reads the tile `path` of the scene or output `root`. The one place that knows formats of tiles. Errors of ParseMesh.
 // Linear in the file.

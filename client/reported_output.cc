@@ -4,7 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "common/mesh/segment_distance.h"
 #include "coordinator/report/json_access.h"
 
 namespace tilemend {
@@ -13,7 +12,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kDepth = 3;            // of lists around positions: those of a MultiPolygon
-constexpr double kLeftReach = 1;     // metres around the boundary of a hole that was left
 constexpr double kReachOfEdges = 5;  // metres around boundary edges in no loop, for each of them
 
 std::optional<CellId> CellOf(const Json& row) {
@@ -50,6 +48,11 @@ void AddFilledArea(const Json& hole, ReportedOutput& reported) {
   if (const auto cell = CellOf(hole); cell && Member(hole, "outcome") == "filled") {
     reported.filled[*cell] += Number(Member(hole, "area_m2"));
   }
+}
+
+LevelCounts LevelCountsOf(const Json& row) {
+  const auto count = [&](const char* name) { return static_cast<int64_t>(Number(Member(row, name))); };
+  return {count("nodes"), count("filled"), count("added"), count("removed")};
 }
 
 void AddLeftHole(const Json& hole, ReportedOutput& reported) {
@@ -103,6 +106,7 @@ ReportedOutput ReadReported(const Json& report) {
     if (const auto cell = CellOf(row))
       reported.cleared[*cell] += static_cast<int64_t>(Number(Member(row, "triangles")));
   }
+  for (const Json& row : RowsOf(Member(report, "levels"))) reported.levels.push_back(LevelCountsOf(row));
   for (const Json& border : RowsOf(Member(Member(report, "borders"), "inexact"))) {
     for (const Json& margin : RowsOf(Member(border, "margins_m"))) {
       reported.overlap = std::max(reported.overlap, Number(margin));
@@ -112,7 +116,7 @@ ReportedOutput ReadReported(const Json& report) {
   return reported;
 }
 
-void AddLeftRims(const Json& holes, const Point2& origin, ReportedOutput& reported) {
+void AddRims(const Json& holes, const Point2& origin, ReportedOutput& reported) {
   std::map<int64_t, std::vector<std::vector<Point2>>> rims;
   for (const ReportedOutput::Left& left : reported.left) {
     if (left.hole >= 0) rims[left.hole];
@@ -120,7 +124,11 @@ void AddLeftRims(const Json& holes, const Point2& origin, ReportedOutput& report
   for (const Json& feature : RowsOf(Member(holes, "features"))) {
     const Json& number = Member(Member(feature, "properties"), "hole");
     const auto rim = number.is_number_integer() ? rims.find(number.get<int64_t>()) : rims.end();
-    if (rim != rims.end()) AddRings(Member(Member(feature, "geometry"), "coordinates"), origin, kDepth, rim->second);
+    const Json& coordinates = Member(Member(feature, "geometry"), "coordinates");
+    if (rim != rims.end()) AddRings(coordinates, origin, kDepth, rim->second);
+    if (rim == rims.end() && Member(Member(feature, "properties"), "outcome") == "filled") {
+      AddRings(coordinates, origin, kDepth, reported.filled_rims);
+    }
   }
   for (ReportedOutput::Left& left : reported.left) {
     if (left.hole >= 0) left.rim = rims[left.hole];
@@ -128,20 +136,6 @@ void AddLeftRims(const Json& holes, const Point2& origin, ReportedOutput& report
       for (const Point2& p : ring) left.box.extend(p);
     }
   }
-}
-
-bool IsAtLeft(const ReportedOutput::Left& left, const Point2& p) {
-  if (left.rim.empty()) return (left.at.head<2>() - p).norm() <= left.reach + kLeftReach;
-  return std::ranges::any_of(left.rim, [&](const std::vector<Point2>& ring) {
-    for (size_t k = 1; k < ring.size(); ++k) {
-      if (DistanceToSegment(p, ring[k - 1], ring[k]) <= kLeftReach) return true;
-    }
-    return false;
-  });
-}
-
-bool GoesOnAt(const ReportedOutput::Left& left, const Point2& p) {
-  return left.reaches_border && !left.box.isEmpty() && left.box.exteriorDistance(p) <= kLeftReach;
 }
 
 }  // namespace tilemend

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/grid/scene.h"
+#include "common/records/level_counts.h"
 #include "worker/check/water_fill.h"
 
 namespace tilemend {
@@ -34,9 +35,11 @@ struct ReportedOutput {
   };
 
   std::vector<Left> left;
+  std::vector<std::vector<Point2>> filled_rims;  // boundaries of holes that were filled, from above
   std::map<CellId, std::vector<Water>> water;
   std::map<CellId, int64_t> cleared;  // triangles taken out
   std::map<CellId, double> filled;    // m2 of its holes that were filled
+  std::vector<LevelCounts> levels;    // of detail, the coarsest first
   double overlap = 0;                 // metres: how far tiles reach over the sides of their cells; 0: they do not
   bool has_textures = true;           // material files and images were to be carried
 };
@@ -44,17 +47,9 @@ struct ReportedOutput {
 // Reads a report.json. Members that are missing or of another type count as empty. Linear.
 ReportedOutput ReadReported(const nlohmann::ordered_json& report);
 
-// Takes the boundaries of holes that were left from a holes.geojson, whose coordinates have the scene's origin in them.
-// The same of members. Linear.
-void AddLeftRims(const nlohmann::ordered_json& holes, const Point2& origin, ReportedOutput& reported);
-
-// Whether an edge at p may be open because a hole was left: p lies at its boundary, or, where that is not known, around
-// it. O(points of the boundary).
-bool IsAtLeft(const ReportedOutput::Left& left, const Point2& p);
-
-// Whether an edge at p, a point of the sides of the hole's cell, may be open because the hole was left, though it goes
-// on beyond that side and was filled there.
-bool GoesOnAt(const ReportedOutput::Left& left, const Point2& p);
+// Takes the boundaries of holes that were left or filled from a holes.geojson, whose coordinates have the scene's
+// origin in them. The same of members. Linear.
+void AddRims(const nlohmann::ordered_json& holes, const Point2& origin, ReportedOutput& reported);
 
 }  // namespace tilemend
 

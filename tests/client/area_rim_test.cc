@@ -5,6 +5,8 @@
 
 #include "client/acceptance_text.h"
 #include "client/carried_files.h"
+#include "client/original_rims.h"
+#include "client/water_seams.h"
 #include "tests/support/temporary_folder.h"
 
 namespace tilemend {
@@ -27,6 +29,43 @@ TEST(AreaRimTest, SidesWithoutANeighbourAreTheRim) {
   EXPECT_FALSE(rim.HasEdge({0, 0}, {5, 5, 5}, {6, 5, 5}));
 }
 
+TEST(AreaRimTest, NewVerticesLieOnTheRim) {
+  const AreaRim rim(TwoCells(), 0), overlapping(TwoCells(), 0.1);
+  const Point3 off(3, 0.5, 5), on(4, 0, 5);
+  EXPECT_TRUE(rim.HasEdge({0, 0}, off, on));
+  EXPECT_TRUE(rim.HasEdge({0, 0}, off, on, {true, false}));
+  EXPECT_FALSE(rim.HasEdge({0, 0}, off, on, {false, true}));
+  EXPECT_TRUE(overlapping.HasEdge({0, 0}, off, on, {false, true}));
+}
+
+TEST(OriginalRimsTest, KnowsVerticesUntilTheirRowsArePast) {
+  OriginalRims rims;
+  const Point3 a(0, 0, 1), b(1, 0, 1), c(2, 0, 1);
+  rims.Add(0, {{a, b, 1, 2, true}, {b, c, 0, 1, true}});
+  EXPECT_TRUE(rims.EndsOf({b, c, 0, 1, true}).from);
+  EXPECT_FALSE(rims.EndsOf({b, c, 0, 1, true}).to);
+  EXPECT_TRUE(rims.EndsOf({b, c, 0, 1, false}).to) << "of an original triangle";
+  rims.Add(1, {{a, c, 1, 1, false}});
+  rims.ForgetBelow(1);
+  EXPECT_TRUE(rims.EndsOf({a, c, 0, 1, true}).to);
+  EXPECT_FALSE(rims.EndsOf({a, b, 0, 1, true}).to);
+}
+
+TEST(WaterSeamsTest, VerticesOfTwoTilesThatTheSceneDoesNotHave) {
+  const Point3 shore(0, 0, 1), seam(1, 0, 1), single(2, 0, 1);
+  OriginalRims rims;
+  rims.Add(1, {{shore, single, 1, 1, false}});
+  WaterSeams seams;
+  seams.Add({0, 0}, {shore, seam, {3, 0, 1}});
+  seams.Add({0, 0}, {{3, 0, 1}});
+  seams.Add({0, 1}, {shore, seam});
+  EXPECT_TRUE(seams.ReleaseBelow(1, rims).empty()) << "tiles in row 2 are not read";
+  const auto places = seams.ReleaseBelow(2, rims);
+  ASSERT_EQ(places.size(), 1U);
+  EXPECT_EQ(places[0].at, seam);
+  EXPECT_TRUE(seams.ReleaseBelow(2, rims).empty());
+}
+
 TEST(AreaRimTest, TheOutlineOfThePolygonIsTheRim) {
   Scene scene = TwoCells();
   scene.area.rings = {{{2, 2}, {8, 2}, {8, 8}, {2, 8}}};
@@ -38,6 +77,12 @@ TEST(AreaRimTest, NeighboursAreThoseWithinReach) {
   const AreaRim rim(TwoCells(), 0.1);
   EXPECT_THAT(rim.NeighboursAt({0, 0}, {9.95, 5, 0}), ElementsAre(CellId{1, 0}));
   EXPECT_THAT(rim.NeighboursAt({0, 0}, {9.5, 5, 0}), testing::IsEmpty());
+}
+
+TEST(CarriedFilesTest, MaterialsAreDefinedOnce) {
+  EXPECT_FALSE(DefinesAgain("newmtl a\nnewmtl a\n", "newmtl a\nnewmtl a\nnewmtl b\nnewmtl b\n"));
+  EXPECT_FALSE(DefinesAgain("", "newmtl a\nnewmtl a\n"));
+  EXPECT_TRUE(DefinesAgain("newmtl a\nKd 1 1 1\n", "newmtl a\nKd 1 1 1\nnewmtl a\nKd 1 0 0\n"));
 }
 
 TEST(CarriedFilesTest, MaterialFilesMayBeLongerAndImagesMayNot) {

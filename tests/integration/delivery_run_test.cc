@@ -147,6 +147,24 @@ TEST_F(DeliveryRunTest, AnAreaInsideAHoleHasNoHeight) {
   EXPECT_EQ(Read("lake_out/Tile_+000_+000.obj"), Read("lake/Tile_+000_+000.obj"));
 }
 
+TEST_F(DeliveryRunTest, ALostFillIsFoundHoweverSmallItsHoleIs) {
+  folder_.Write("two/Tile_+000_+000.obj", TileFrom(0, [](int column, int row) {
+                  return (column == 2 && row == 2) || (column >= 4 && column < 8 && row >= 4 && row < 8);
+                }));
+  folder_.Write("two/Tile_+001_+000.obj", TileFrom(10, [](int, int) { return false; }));
+  ASSERT_EQ(Tilemend({"run", folder_ / "two", "--out", folder_ / "two_out"}).code, 0);
+  const Ended good = Tilemend({"check", folder_ / "two", folder_ / "two_out"});
+  EXPECT_EQ(good.code, 0) << good.err << good.out;
+  // The fill of the first hole, 1 m2, is the first of two materials.
+  const std::string text = Read("two_out/Tile_+000_+000.obj");
+  const size_t first = text.find("usemtl tilemend_fill_"), next = text.find("usemtl ", first + 1);
+  ASSERT_NE(next, std::string::npos);
+  folder_.Write("two_out/Tile_+000_+000.obj", text.substr(0, first) + text.substr(next));
+  const Ended lost = Tilemend({"check", folder_ / "two", folder_ / "two_out"});
+  EXPECT_EQ(lost.code, 100);
+  EXPECT_THAT(lost.out, HasSubstr("4  new open edges"));
+}
+
 TEST_F(DeliveryRunTest, AFilledTriangleTwiceIsNonManifold) {
   const std::string text = Read(kTile);
   const size_t at = text.rfind("\nf ");
@@ -166,6 +184,32 @@ TEST_F(DeliveryRunTest, AnImageMustBeTheSameAndAMaterialFileMayGrow) {
   Check(0);
   folder_.Write(library, "newmtl more\n");
   EXPECT_EQ(Count(Check(100), "changed_files"), 1);
+}
+
+TEST_F(DeliveryRunTest, NoMaterialIsDefinedAgain) {
+  const std::string library = "out/Data/Tile_+000_+000/Tile_+000_+000.mtl", text = Read(library);
+  const size_t name = text.find("newmtl ");
+  ASSERT_NE(name, std::string::npos);
+  folder_.Write(library, absl::StrCat(text, text.substr(name, text.find('\n', name) + 1 - name), "Kd 1 0 0\n"));
+  EXPECT_EQ(Count(Check(100), "changed_files"), 1);
+}
+
+TEST_F(DeliveryRunTest, MaterialFilesKeepTheirNames) {
+  const std::string text = Read(kTile);
+  const size_t at = text.find("mtllib ");
+  ASSERT_NE(at, std::string::npos);
+  folder_.Write(kTile, text.substr(0, at) + text.substr(text.find('\n', at) + 1));
+  EXPECT_EQ(Count(Check(100), "changed_files"), 1);
+}
+
+TEST_F(DeliveryRunTest, ImagesOfFillsMustBeThere) {
+  std::filesystem::remove_all(folder_ / "scene");
+  std::filesystem::remove_all(folder_ / "out");
+  WriteImageScene(folder_);
+  ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / "out"}).code, 0);
+  Check(0);
+  ASSERT_TRUE(std::filesystem::remove(folder_ / "out/T0_tilemend.jpg"));
+  EXPECT_EQ(Count(Check(100), "missing_files"), 1);
 }
 
 TEST_F(DeliveryRunTest, AMissingTileIsNamed) {

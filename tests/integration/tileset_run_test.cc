@@ -273,6 +273,19 @@ TEST_F(TilesetRunTest, TheAcceptanceCheckComparesAllLevels) {
   const Ended bad = Tilemend({"check", folder_ / "scene", folder_ / "out"});
   EXPECT_EQ(bad.code, 100);
   EXPECT_THAT(bad.out, HasSubstr("1  original faces that are missing or changed"));
+  // Finer levels would never be shown.
+  const std::string entry = *ReadFile(folder_ / "out/tileset.json");
+  Json changed = Json::parse(entry);
+  changed["root"]["geometricError"] = 0;
+  folder_.Write("out/tileset.json", changed.dump());
+  EXPECT_THAT(Tilemend({"check", folder_ / "scene", folder_ / "out"}).out,
+              HasSubstr("1  changed or missing files that say where tiles lie"));
+  folder_.Write("out/tileset.json", entry);
+  // As it was in the scene, with its hole.
+  folder_.Write(path, *ReadFile(folder_ / "scene/Data/Tile_p000_p000/Tile_p000_p000.glb"));
+  const Ended unfilled = Tilemend({"check", folder_ / "scene", folder_ / "out"});
+  EXPECT_EQ(unfilled.code, 100);
+  EXPECT_THAT(unfilled.out, HasSubstr("1  levels of detail of tiles that were not filled"));
 }
 
 TEST_F(TilesetRunTest, ImagesBesideTheModelsGoWithThem) {

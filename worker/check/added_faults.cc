@@ -100,7 +100,9 @@ class AddedFaultFinder {
     if (after == 2 && added > 0 && forward != 1) found_.faults[AddedFault::kTurnedEdge].push_back(middle);
     if (before != 1 && after != 1) return;
     const bool swap = IsLower(points_[b], points_[a]);
-    found_.open.push_back({points_[swap ? b : a], points_[swap ? a : b], before, after, added > 0, inner > 0});
+    OpenEdge open{points_[swap ? b : a], points_[swap ? a : b], before, after, added > 0, inner > 0};
+    open.forward = swap ? after - forward : forward;
+    found_.open.push_back(std::move(open));
   }
 
   SpaceTriangle InSpace(int32_t t) const {

@@ -28,6 +28,7 @@ struct OpenEdge {
   bool is_added = false;    // of one that is there after: its triangle was added
   bool is_inner = false;    // and has no vertex at an original one
   bool is_covered = false;  // the tile has other surface there: pieces of a tile overlap (set by CoverOpenEdges)
+  int32_t forward = 0;      // triangles that have it after, and go round from `from` to `to`
 };
 
 struct AddedFindings {

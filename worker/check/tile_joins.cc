@@ -96,6 +96,8 @@ void JoinedEdges::Add(int32_t tile, int32_t row, const std::vector<OpenEdge>& ed
     Sum& sum = sums_[{e.from.x(), e.from.y(), e.from.z(), e.to.x(), e.to.y(), e.to.z()}];
     sum.before += e.before;
     sum.after += e.after;
+    sum.forward += e.forward;
+    sum.single += e.after == 1 ? 1 : 0;
     sum.row = row;
     if (e.after > 0) sum.tile = tile;
     sum.is_added = sum.is_added || e.is_added;
@@ -121,6 +123,8 @@ JoinedEdges::Released JoinedEdges::ReleaseBelow(int32_t row) {
                             sum.is_covered},
                            sum.tile};
     if (sum.after == 1 && sum.before != 1) released.open.push_back(edge);
+    if (sum.single == 2 && sum.after == 2 && sum.forward != 1 && sum.is_added) released.turned.push_back(edge);
+    if (sum.before == 1 && sum.after > 0) released.rims.push_back(edge);
     if (sum.after > 2 && sum.before <= 2 && sum.is_added) released.crowded.push_back(edge);
     it = sums_.erase(it);
   }

@@ -45,7 +45,7 @@ inline constexpr double kCoverReach = 1;
 // O(n log n) if there are any, else O(edges).
 void CoverOpenEdges(const TriMesh& mesh, std::vector<OpenEdge>& edges);
 
-// An edge that has one triangle in all tiles together, and had not in the input.
+// An edge of all tiles together.
 struct NewOpenEdge {
   OpenEdge edge;
   int32_t tile = 0;  // that has its triangle
@@ -57,17 +57,19 @@ class JoinedEdges {
  public:
   // Precondition: rows never fall. O(log n) for each edge.
   void Add(int32_t tile, int32_t row, const std::vector<OpenEdge>& edges);
-  // The new open edges and the edges with more than two triangles, of all tiles in rows below `row`; these are
-  // forgotten. In order of position.
+  // Edges of all tiles in rows below `row`; these are forgotten. In order of position.
   struct Released {
-    std::vector<NewOpenEdge> open;
-    std::vector<NewOpenEdge> crowded;
+    std::vector<NewOpenEdge> open;     // with one triangle, and not in the input
+    std::vector<NewOpenEdge> crowded;  // with more than two triangles
+    std::vector<NewOpenEdge> turned;   // of two tiles, with one triangle of each; these go round in the same direction
+    std::vector<NewOpenEdge> rims;     // with one triangle in the input, and one or more in the output
   };
   Released ReleaseBelow(int32_t row);
 
  private:
   struct Sum {
-    int32_t before = 0, after = 0, tile = 0, row = 0;
+    int32_t before = 0, after = 0, forward = 0, tile = 0, row = 0;
+    int32_t single = 0;  // tiles with one triangle there
     bool is_added = false, is_inner = false, is_covered = false;
   };
   std::map<std::array<double, 6>, Sum> sums_;

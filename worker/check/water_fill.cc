@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -14,11 +16,13 @@ namespace tilemend {
 namespace {
 
 constexpr double kWallNormal = 0.7;  // upward part of the normal: steeper than 45 degrees
+constexpr double kUpright = 1e-3;    // upward part of the normal: a lattice of 2^-10 m on a wall that is 1 m long
 
 // Connected added triangles.
 struct FillPiece {
   std::vector<Triangle> triangles;  // welded vertices
   std::set<int32_t> inside;         // vertices that are on no boundary of the piece
+  std::set<int32_t> seam;           // those on it that original surface does not have
   Eigen::AlignedBox2d box;
 };
 
@@ -35,7 +39,7 @@ class FillPieces {
       Triangle& welded = triangles.emplace_back();
       for (size_t k = 0; k < 3; ++k) welded[k] = index_.Insert(tile.points[tile.triangles[t][k]]);
     }
-    for (std::vector<Triangle>& piece : PiecesByEdges(triangles)) pieces_.push_back({std::move(piece), {}, {}});
+    for (std::vector<Triangle>& piece : PiecesByEdges(triangles)) pieces_.push_back({std::move(piece), {}, {}, {}});
     for (FillPiece& piece : pieces_) {
       for (const Triangle& t : piece.triangles) {
         for (const int32_t v : t) piece.box.extend(At(v));
@@ -44,7 +48,9 @@ class FillPieces {
     const std::vector<bool> shore = ShoreOf(tile, added);
     for (FillPiece& piece : pieces_) {
       FindInside(piece);
-      std::erase_if(piece.inside, [&](int32_t v) { return shore[static_cast<size_t>(v)]; });
+      for (std::set<int32_t>* of : {&piece.inside, &piece.seam}) {
+        std::erase_if(*of, [&](int32_t v) { return shore[static_cast<size_t>(v)]; });
+      }
       LeaveOutWalls(piece);
     }
   }
@@ -77,19 +83,35 @@ class FillPieces {
   }
 
   // Takes vertices out that stand on a wall of the fill up to its boundary: all of their triangles are steep, and one
-  // reaches the boundary.
+  // reaches the boundary. A wall goes up to its ends: what stands out above or below all around it is none of it,
+  // unless a triangle there is upright.
   void LeaveOutWalls(FillPiece& piece) const {
-    std::set<int32_t> level, beside;
+    std::set<int32_t> level, beside, upright;
+    std::map<int32_t, std::pair<double, double>> around;  // the lowest and the highest neighbour
     for (const Triangle& t : piece.triangles) {
       const Eigen::Vector3d normal = TwiceVectorArea(index_.positions(), t);
       const bool steep = normal.z() < kWallNormal * normal.norm();
       const bool at_boundary = std::any_of(t.begin(), t.end(), [&](int32_t v) { return !piece.inside.contains(v); });
-      for (const int32_t v : t) {
+      const bool stands = std::abs(normal.z()) <= kUpright * normal.norm();
+      for (int k = 0; k < 3; ++k) {
+        const int32_t v = t[k];
         if (!steep) level.insert(v);
         if (at_boundary) beside.insert(v);
+        if (stands) upright.insert(v);
+        auto& [lowest, highest] = around.try_emplace(v, INFINITY, -INFINITY).first->second;
+        for (const int32_t other : {t[(k + 1) % 3], t[(k + 2) % 3]}) {
+          lowest = std::min(lowest, index_.positions()[other].z());
+          highest = std::max(highest, index_.positions()[other].z());
+        }
       }
     }
-    std::erase_if(piece.inside, [&](int32_t v) { return !level.contains(v) && beside.contains(v); });
+    const auto is_wall = [&](int32_t v) {
+      const double z = index_.positions()[v].z();
+      const bool is_peak = z > around[v].second + kLevelTolerance || z < around[v].first - kLevelTolerance;
+      return !level.contains(v) && beside.contains(v) && (!is_peak || upright.contains(v));
+    };
+    std::erase_if(piece.inside, is_wall);
+    std::erase_if(piece.seam, is_wall);
   }
 
   static void FindInside(FillPiece& piece) {
@@ -105,8 +127,10 @@ class FillPieces {
     for (size_t i = 0, next = 0; i < edges.size(); i = next) {
       while (next < edges.size() && edges[next] == edges[i]) ++next;
       if (next - i != 1) continue;
-      piece.inside.erase(static_cast<int32_t>(edges[i] >> 32));
-      piece.inside.erase(static_cast<int32_t>(edges[i] & 0xffffffffU));
+      for (const uint64_t end : {edges[i] >> 32, edges[i] & 0xffffffffU}) {
+        piece.inside.erase(static_cast<int32_t>(end));
+        piece.seam.insert(static_cast<int32_t>(end));
+      }
     }
   }
 
@@ -119,10 +143,14 @@ class FillPieces {
 
   WaterFinding CheckPiece(const FillPiece& piece, const WaterHole& hole) const {
     WaterFinding finding{true, std::ssize(piece.inside), {}};
-    for (const int32_t v : piece.inside) {
-      const Point3& p = index_.positions()[v];
-      if (p.z() < hole.lowest - kLevelTolerance || p.z() > hole.highest + kLevelTolerance) finding.off.push_back(p);
-    }
+    const auto add_off = [&](const std::set<int32_t>& vertices, std::vector<Point3>& off) {
+      for (const int32_t v : vertices) {
+        const Point3& p = index_.positions()[v];
+        if (p.z() < hole.lowest - kLevelTolerance || p.z() > hole.highest + kLevelTolerance) off.push_back(p);
+      }
+    };
+    add_off(piece.inside, finding.off);
+    add_off(piece.seam, finding.off_at_seam);
     return finding;
   }
 

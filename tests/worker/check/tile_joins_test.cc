@@ -23,7 +23,10 @@ TEST(JoinedEdgesTest, AnEdgeThatTwoTilesHaveIsClosed) {
 TEST(JoinedEdgesTest, AnEdgeThatWasOpenIsNotNew) {
   JoinedEdges edges;
   edges.Add(0, 0, {Edge(1, 1)});
-  EXPECT_THAT(edges.ReleaseBelow(1).open, IsEmpty());
+  edges.Add(0, 0, {Edge(1, 2, 5), Edge(1, 0, 6)});
+  const JoinedEdges::Released released = edges.ReleaseBelow(1);
+  EXPECT_THAT(released.open, IsEmpty());
+  EXPECT_THAT(released.rims, SizeIs(2)) << "but for the edge that is gone";
 }
 
 TEST(JoinedEdgesTest, TellsTheTileOfANewOpenEdge) {
@@ -43,6 +46,23 @@ TEST(JoinedEdgesTest, WaitsForTheRowsAndForgetsWhatItReleased) {
   EXPECT_THAT(edges.ReleaseBelow(3).open, IsEmpty());
   EXPECT_THAT(edges.ReleaseBelow(4).open, SizeIs(1));
   EXPECT_THAT(edges.ReleaseBelow(4).open, IsEmpty());
+}
+
+TEST(JoinedEdgesTest, TrianglesOfTwoTilesGoRoundInOppositeDirections) {
+  const auto turned = [](int32_t one, int32_t other, bool is_added) {
+    OpenEdge a = Edge(0, 1), b = Edge(0, 1);
+    a.forward = one;
+    b.forward = other;
+    a.is_added = b.is_added = is_added;
+    JoinedEdges edges;
+    edges.Add(0, 0, {a});
+    edges.Add(1, 0, {b});
+    return edges.ReleaseBelow(1).turned.size();
+  };
+  EXPECT_EQ(turned(1, 0, true), 0U);
+  EXPECT_EQ(turned(1, 1, true), 1U);
+  EXPECT_EQ(turned(0, 0, true), 1U);
+  EXPECT_EQ(turned(1, 1, false), 0U) << "the scene has it so";
 }
 
 TEST(JoinedEdgesTest, AThirdTileAtAnEdgeIsCrowded) {

@@ -79,9 +79,39 @@ TEST(WaterFillTest, OriginalVerticesInTheFillAreShore) {
   EXPECT_THAT(CheckWaterFills(mesh, added, {kHole})[0].off, IsEmpty());
 }
 
-TEST(WaterFillTest, ThePeakOfAWallAtTheBoundaryIsNoWater) {
+TEST(WaterFillTest, NewVerticesOnTheBoundaryMayBeOfASeam) {
+  TriMesh mesh = Pond();
+  const auto v = static_cast<int32_t>(VertexAt(mesh, 6, 3)), w = static_cast<int32_t>(VertexAt(mesh, 6, 4));
+  mesh.points[static_cast<size_t>(w)].z() = kLevel;
+  EXPECT_THAT(CheckWaterFills(mesh, AllOf(mesh), {kHole})[0].off_at_seam, SizeIs(23)) << "of 24 on the boundary";
+  const auto n = static_cast<int32_t>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), {{7, 3, 3}, {7, 4, 3}});
+  mesh.triangles.push_back({v, n, n + 1});
+  std::vector<bool> added = AllOf(mesh);
+  added.back() = false;
+  EXPECT_THAT(CheckWaterFills(mesh, added, {kHole})[0].off_at_seam, SizeIs(22)) << "one is of the shore";
+}
+
+TEST(WaterFillTest, AWallUpToTheBoundaryIsNoWater) {
   TriMesh mesh = Pond();
   mesh.points[VertexAt(mesh, 1, 3)].z() += 30;  // all triangles around it are steep, and some reach the boundary
+  for (const double y : {2, 3, 4}) mesh.points[VertexAt(mesh, 0, y)].z() += 31;
+  EXPECT_THAT(CheckWaterFills(mesh, AllOf(mesh), {kHole})[0].off, IsEmpty());
+}
+
+TEST(WaterFillTest, ASpikeBesideTheBoundaryIsNoWall) {
+  TriMesh mesh = Pond();
+  mesh.points[VertexAt(mesh, 1, 3)].z() += 30;
+  EXPECT_THAT(CheckWaterFills(mesh, AllOf(mesh), {kHole})[0].off, SizeIs(1));
+  mesh.points[VertexAt(mesh, 1, 3)].z() -= 60;
+  EXPECT_THAT(CheckWaterFills(mesh, AllOf(mesh), {kHole})[0].off, SizeIs(1));
+}
+
+// It stands above the boundary, as on a gable.
+TEST(WaterFillTest, ThePeakOfAnUprightWallIsNoWater) {
+  TriMesh mesh = Pond();
+  Point3& peak = mesh.points[VertexAt(mesh, 1, 3)];
+  peak = {0, 3, peak.z() + 30};
   EXPECT_THAT(CheckWaterFills(mesh, AllOf(mesh), {kHole})[0].off, IsEmpty());
 }
 

@@ -1,0 +1,62 @@
+// The kinds of findings of the acceptance check, and what they are called.
+#ifndef TILEMEND_CLIENT_ACCEPTANCE_KINDS_H_
+#define TILEMEND_CLIENT_ACCEPTANCE_KINDS_H_
+
+#include <array>
+
+namespace tilemend {
+
+enum AcceptanceKind {
+  kMissingTile,
+  kMissingFace,
+  kClearedFaces,
+  kMissingFile,
+  kChangedFile,
+  kPlacement,
+  kOpenEdge,
+  kCrossedFill,
+  kCrossedSurface,
+  kNonManifoldEdge,
+  kTurnedEdge,
+  kFlatTriangle,
+  kFillArea,
+  kUnfilledLevel,
+  kWaterOffLevel,
+  kWaterWithoutFill,
+  kFillsApart,
+  kLeftHole,
+  kCrossedRim,
+  kOtherMesh,
+  kAcceptanceKindCount
+};
+
+struct AcceptanceKindText {
+  const char *name, *label;
+  bool is_fault;
+};
+inline constexpr std::array<AcceptanceKindText, kAcceptanceKindCount> kAcceptanceKinds = {{
+    {"missing_tiles", "missing tiles", true},
+    {"missing_faces", "original faces that are missing or changed", true},
+    {"cleared_faces", "tiles with more faces taken out than reported", true},
+    {"missing_files", "missing material files and images", true},
+    {"changed_files", "changed material files and images", true},
+    {"placement", "changed or missing files that say where tiles lie", true},
+    {"open_edges", "new open edges", true},
+    {"crossed_fills", "filled triangles that cross each other", true},
+    {"crossed_surface", "filled triangles that cross the original surface", true},
+    {"nonmanifold_edges", "new edges with more than two triangles", true},
+    {"turned_edges", "new edges whose triangles face opposite ways", true},
+    {"flat_triangles", "filled triangles without area", true},
+    {"fill_areas", "tiles whose fills are larger or smaller than their holes", true},
+    {"unfilled_levels", "levels of detail of tiles that were not filled", true},
+    {"water_off_level", "points of water that are not at its level", true},
+    {"water_without_fill", "waters without a fill", true},
+    {"fills_apart", "places where fills of two tiles are more than 2 cm apart", true},
+    {"left_holes", "holes left open, as reported", false},
+    {"crossed_rims", "filled triangles at rims that the input's surface passes through", false},
+    {"other_meshes", "other meshes among the tiles", false},
+}};
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_CLIENT_ACCEPTANCE_KINDS_H_

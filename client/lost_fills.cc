@@ -1,0 +1,68 @@
+#include "client/lost_fills.h"
+
+#include <algorithm>
+
+namespace tilemend {
+namespace {
+
+constexpr double kOfRounding = 0.0006;  // metres in x and y: half a millimetre, and what the origin takes
+
+bool IsRoundedTo(const Point2& rounded, const Point3& p) {
+  return (rounded - p.head<2>()).cwiseAbs().maxCoeff() <= kOfRounding;
+}
+
+}  // namespace
+
+LostFills::LostFills(const std::vector<std::vector<Point2>>& rims) : rims_(static_cast<int32_t>(rims.size())) {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (int32_t r = 0; r < rims_; ++r) {
+    for (size_t k = 1; k < rims[r].size(); ++k) {
+      const Point2 &a = rims[r][k - 1], &b = rims[r][k];
+      segments_.push_back({a, b, r});
+      Eigen::AlignedBox3d& box = boxes.emplace_back(Point3(a.x(), a.y(), 0));
+      box.extend(Point3(b.x(), b.y(), 0));
+    }
+  }
+  tree_ = BoxTree(boxes);
+}
+
+template <typename Visit>
+bool LostFills::AnyAt(const Point3& a, const Point3& b, const Visit& visit) const {
+  const Point3 middle((a.x() + b.x()) / 2, (a.y() + b.y()) / 2, 0), reach(kOfRounding, kOfRounding, 0);
+  return tree_.AnyMeeting({middle - reach, middle + reach}, [&](int32_t i) {
+    const Segment& s = segments_[i];
+    const bool is_same = (IsRoundedTo(s.a, a) && IsRoundedTo(s.b, b)) || (IsRoundedTo(s.a, b) && IsRoundedTo(s.b, a));
+    return is_same && visit(i);
+  });
+}
+
+bool LostFills::IsAtRim(const Point3& a, const Point3& b) const {
+  return AnyAt(a, b, [](int32_t) { return true; });
+}
+
+void LostFills::Add(const NewOpenEdge& edge) {
+  AnyAt(edge.edge.from, edge.edge.to, [&](int32_t i) {
+    if (edge.edge.after == 1) {
+      segments_[i].open.push_back(edge);
+    } else {
+      segments_[i].is_closed = true;
+    }
+    return false;
+  });
+}
+
+std::vector<NewOpenEdge> LostFills::Lost() const {
+  std::vector<double> open(rims_, 0), closed(rims_, 0);  // metres
+  for (const Segment& s : segments_) {
+    const double length = (s.b - s.a).norm();
+    if (s.is_closed) closed[s.rim] += length;
+    if (!s.is_closed && !s.open.empty()) open[s.rim] += length;
+  }
+  std::vector<NewOpenEdge> lost;
+  for (const Segment& s : segments_) {
+    if (!s.is_closed && open[s.rim] > closed[s.rim]) lost.insert(lost.end(), s.open.begin(), s.open.end());
+  }
+  return lost;
+}
+
+}  // namespace tilemend
