@@ -7,11 +7,12 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { type Crop, readCrop, type Role } from './crop';
 import type { Hole, Picture, Report } from './data';
 import { el, number } from './dom';
-import { levelText } from './holes';
+import { levelText, squareMetres } from './holes';
 
 const WIDTH = 560, HEIGHT = 380;
 type Mode = 'before' | 'after' | 'marked';
-const MARK = 0x2563c9;
+const MARK = 0xd01c8b; // unlike water, plants, roofs and streets
+export const MARK_NAME = 'magenta';
 
 export function makeRenderer(): WebGLRenderer | null {
   try {
@@ -84,7 +85,7 @@ function captionOf(hole: Hole | undefined, picture: Picture): string {
   if (!hole) return `hole ${picture.hole}`;
   const level = levelText(hole.level);
   const sigma = hole.sigma === null || hole.sigma === undefined ? '' : `, sigma ${number(hole.sigma, 3)} m`;
-  return `hole ${hole.id}, cell ${hole.cell.join(', ')}, ${number(hole.area, 1)} m\u00b2, ${hole.method}` +
+  return `hole ${hole.id}, cell ${hole.cell.join(', ')}, ${squareMetres(hole)}, ${hole.method}` +
     (level ? ` at ${level} m${sigma}` : '');
 }
 
