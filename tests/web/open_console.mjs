@@ -156,9 +156,9 @@ expect(await tab.locator('svg.map rect.unknown').count() === 0, 'cells of a job 
 
 // An output that is there is replaced only after a second click.
 await job('lakes').locator('.name').click();
-await job('lakes').locator('button', { hasText: 'do again' }).first().click();
+await job('lakes').locator('button', { hasText: 'retry' }).first().click();
 await job('lakes').locator('button', { hasText: 'replace its output?' }).waitFor({ timeout: 20000 });
-expect(await job().count() === 6, 'a job that is done again replaced an output unasked');
+expect(await job().count() === 6, 'a job that is retried replaced an output unasked');
 await tab.waitForSelector(`.jobview[data-job="${chosen}"]`);
 await tab.waitForSelector('table.holes tbody tr', { timeout: 20000 });
 const written = await tab.waitForFunction(() => document.querySelectorAll('svg.map rect.written').length >= 8, null,

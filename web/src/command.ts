@@ -22,7 +22,7 @@ export function decisionsCommand({ scene, out, changed_options: changed }: Repor
 
 // A command with a button that copies it. Where the browser forbids that, the button selects the text.
 export function copyable(command: string): HTMLElement {
-  const code = el('code', {}, command), status = el('span', { class: 'quiet', role: 'status' });
+  const code = el('code', {}, command), status = el('span', { class: 'quiet', 'aria-live': 'polite' });
   const copy = async () => {
     try {
       await navigator.clipboard.writeText(command);

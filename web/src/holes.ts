@@ -30,15 +30,15 @@ const COLUMNS: Column[] = [
   { title: 'x, y [m]', label: 'at', isNumber: false, text: (h) => (h.centre ?? []).slice(0, 2).map((c) => c.toFixed(1)).join(', '),
     key: (h) => h.centre?.[0] ?? 0 },
   { title: 'kind', isNumber: false, text: (h) => h.kind, key: (h) => h.kind },
-  { title: 'area [m\u00b2]', label: 'm\u00b2', isNumber: true, text: areaOf, key: (h) => knownArea(h) ?? -Infinity },
+  { title: 'area [m\u00b2]', label: 'area', isNumber: true, text: areaOf, key: (h) => knownArea(h) ?? -Infinity },
   { title: 'outcome', isNumber: false, text: outcomeOf, key: (h) => (h.filled || h.planned ? outcomeOf(h) : '') },
   { title: 'level [m]', label: 'level', isNumber: true, text: (h) => levelText(h.level), key: (h) => firstLevel(h.level) },
   { title: 'sigma [m]', label: 'sigma', isNumber: true, text: (h) => number(h.sigma, 3), key: (h) => h.sigma ?? -Infinity },
-  { title: 'doubt [m\u00b3]', label: 'doubt m\u00b3', isNumber: true, text: (h) => number(h.doubt, 1), key: (h) => h.doubt ?? -Infinity },
+  { title: 'doubt [m\u00b3]', label: 'doubt', isNumber: true, text: (h) => number(h.doubt, 1), key: (h) => h.doubt ?? -Infinity },
   { title: 'reason', isNumber: false, text: (h) => h.reason, key: (h) => h.reason },
 ];
 
-const LONG = 60, SHORT = 40; // letters of a reason
+const LONG = 80, SHORT = 40; // letters of a reason
 
 // A long reason in full where it is first, then only its beginning, which opens.
 function reasonCell(reason: string, seen: Set<string>): HTMLElement {
