@@ -12,6 +12,7 @@ import { levelText, squareMetres } from './holes';
 const WIDTH = 560, HEIGHT = 380;
 type Mode = 'before' | 'after' | 'marked';
 const MARK = 0xd01c8b; // unlike water, plants, roofs and streets
+const SHADE = 0x404040;
 export const MARK_NAME = 'magenta';
 
 export function makeRenderer(): WebGLRenderer | null {
@@ -71,7 +72,10 @@ class View {
   draw(canvas: HTMLCanvasElement, mode: Mode): void {
     for (const { role, mesh } of this.meshes) {
       mesh.visible = role === 'kept' || (role === 'cleared') === (mode === 'before');
-      if (role === 'added') mesh.material.emissive = new Color(mode === 'marked' ? MARK : 0);
+      if (role !== 'added') continue;
+      const isMarked = mode === 'marked';
+      mesh.material.emissive = new Color(isMarked ? MARK : 0);
+      mesh.material.color = new Color(isMarked ? SHADE : 0xffffff); // else image and light wash the mark out
     }
     this.renderer.render(this.scene, this.camera);
     const pen = canvas.getContext('2d');
