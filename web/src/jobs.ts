@@ -131,8 +131,9 @@ class JobCard {
     this.state.textContent = stateText(job);
     this.state.title = job.state === 'PARTIAL' ? 'done, but some holes are left open' : '';
     this.state.className = `state ${job.state.toLowerCase()}`;
-    const tasks = Number(progress.tasks); // cells are done late: each is written in the end
-    this.bar.value = job.state === 'DONE' || job.state === 'PARTIAL' ? 1 : tasks > 0 ? Number(progress.tasksDone) / tasks : 0;
+    const share = (done: string, all: string) => (Number(all) > 0 ? Number(done) / Number(all) : 0);
+    this.bar.value = job.state === 'DONE' || job.state === 'PARTIAL' ? 1
+      : isOver(job) ? share(progress.cellsDone, progress.cells) : share(progress.tasksDone, progress.tasks);
     this.bar.setAttribute('aria-label', `progress of ${job.name}`);
     this.facts.textContent = [...progressTexts(job),
       Number(progress.holes) > 0 ? `${number(Number(progress.holesFilled))} of ${number(Number(progress.holes))} holes filled` : '',
