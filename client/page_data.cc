@@ -2,10 +2,12 @@
 
 #include <map>
 #include <utility>
+#include <variant>
 
 #include "absl/strings/escaping.h"
 #include "absl/strings/str_cat.h"
 #include "client/csv.h"
+#include "common/options/job_options.h"
 #include "coordinator/report/json_access.h"
 #include "coordinator/report/page_holes.h"
 
@@ -56,6 +58,20 @@ Json PicturesJson(const PagePictures& pictures) {
   return rows;
 }
 
+// The options of the report that are not the defaults of `tilemend run`, to repeat the run with.
+Json ChangedOptions(const Json& report) {
+  Json defaults = Json::object(), changed = Json::object();
+  for (const ReportedOption& option : ReportedOptions(WithDefaults(v1::JobSpec()), kOfJobs)) {
+    std::visit([&](const auto& value) { defaults[option.name] = value; }, option.value);
+  }
+  const Json& options = Member(report, "options");
+  if (!options.is_object()) return changed;
+  for (const auto& [name, value] : options.items()) {
+    if (Member(defaults, name.c_str()) != value) changed[name] = value;
+  }
+  return changed;
+}
+
 }  // namespace
 
 Json PageData(const Json& report, const Scene* scene, const PagePictures& pictures) {
@@ -74,6 +90,7 @@ Json PageData(const Json& report, const Scene* scene, const PagePictures& pictur
   data["pictures"] = PicturesJson(pictures);
   data["picture_problems"] = pictures.problems;
   data["tasks"] = Member(report, "tasks");
+  data["changed_options"] = ChangedOptions(report);
   return data;
 }
 

@@ -1,6 +1,8 @@
 #include "client/report_page.h"
 
 #include <array>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "absl/strings/escaping.h"
@@ -13,6 +15,7 @@
 #include "common/grid/scene.h"
 #include "common/store/digest.h"
 #include "common/util/files.h"
+#include "common/util/object_store.h"
 #include "common/util/status_macros.h"
 #include "coordinator/report/json_access.h"
 #include "coordinator/report/page_review.h"
@@ -36,6 +39,13 @@ absl::StatusOr<Json> ReviewOf(const Json& report, const std::string& out, const 
   if (absl::IsNotFound(holes.status())) return Json();
   TILEMEND_RETURN_IF_ERROR(holes.status());
   return PageReview(report, *holes, scene);
+}
+
+std::string AbsoluteFolder(const std::string& folder) {
+  if (IsObjectPath(folder)) return folder;
+  std::error_code error;
+  const std::string path = std::filesystem::absolute(folder, error).lexically_normal().string();
+  return path.size() > 1 && path.ends_with('/') ? path.substr(0, path.size() - 1) : path;
 }
 
 }  // namespace
@@ -77,6 +87,7 @@ absl::Status WriteReportPage(const std::string& out) {
   TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(out, "/holes.csv"), HolesCsv(report)));
   const Scene* const known = scene.ok() ? &*scene : nullptr;
   Json data = PageData(report, known, pictures);
+  data["out"] = AbsoluteFolder(out);
   TILEMEND_ASSIGN_OR_RETURN(data["review"], ReviewOf(report, out, known));
   return WriteFileAtomically(absl::StrCat(out, "/report.html"), ReportPage(data));
 }

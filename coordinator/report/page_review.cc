@@ -49,7 +49,7 @@ absl::StatusOr<Json> ReadHoles(const std::string& text, const std::map<int64_t, 
   return json;
 }
 
-// The polygons of each item, by its hole.
+// The polygons of each item, by its hole. Holes of an item may touch, so together they are no valid MultiPolygon.
 Json OutlinesOf(const Json& holes, const std::map<int64_t, int64_t>& item_of) {
   Json outlines = Json::object();
   for (const Json& feature : Member(holes, "features")) {
@@ -58,10 +58,10 @@ Json OutlinesOf(const Json& holes, const std::map<int64_t, int64_t>& item_of) {
     if (!hole.is_number_integer() || !coordinates.is_array()) continue;
     const auto item = item_of.find(hole.get<int64_t>());
     if (item == item_of.end()) continue;
-    Json& polygons = outlines[absl::StrCat(item->second)];
-    if (type == "Polygon") polygons.push_back(coordinates);
-    if (type != "MultiPolygon") continue;
-    for (const Json& polygon : coordinates) polygons.push_back(polygon);
+    Json& parts = outlines[absl::StrCat(item->second)];
+    if (type != "Polygon" && type != "MultiPolygon") continue;
+    const Json& cluster = Member(Member(feature, "properties"), "cluster");
+    parts.push_back({{"hole", hole}, {"cluster", cluster}, {"geometry", geometry}});
   }
   return outlines;
 }

@@ -20,7 +20,8 @@ inline constexpr size_t kMostReviewItems = 1000;
 //   items     those of the most doubt, as the report's `review` has them
 //   z         the height of their levels' zero; null without `scene`
 //   crs       of `holes`
-//   outlines  base64 of gzip of an object: by hole number of the item the coordinates of a MultiPolygon
+//   outlines  base64 of gzip of an object: by hole number of the item a list of {hole, cluster, geometry}, one of each
+//             of its holes that has a polygon
 //   earlier   the same of a list: the features of decisions that were made before, as they were made. The next file
 //             has them too
 // kInvalidArgument if `holes` is no GeoJSON, kCancelled after a stop. Cost: linear; features of other holes are dropped

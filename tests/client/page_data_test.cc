@@ -49,6 +49,12 @@ TEST(PageDataTest, AReportOfAnotherFormGivesAnEmptyPage) {
   EXPECT_THAT(ReportPage(data), StartsWith("<!doctype html>"));
 }
 
+TEST(PageDataTest, OptionsThatAreTheDefaultsAreNotRepeated) {
+  const Json report = Json::parse(
+      R"({"options": {"textures": "off", "gradation": 1.3, "uniform": false, "area": "", "cells": "1,1"}})");
+  EXPECT_EQ(PageData(report, nullptr, {})["changed_options"], Json({{"textures", "off"}, {"cells", "1,1"}}));
+}
+
 TEST(ReportPageTest, NoTextEndsTheElementItIsIn) {
   const std::string page = ReportPage(PageData(Report(), nullptr, {}));
   EXPECT_THAT(page, Not(HasSubstr("alert(1)</script>")));

@@ -13,6 +13,8 @@ const expect = page.expect.bind(page);
 const tab = await page.open('light', 'ann', chosen);
 const job = (name) => tab.locator('.job', name ? { hasText: name } : {});
 expect(await job().count() === 6, `${await job().count()} jobs are shown`);
+expect(await job('broken').locator('.state').innerText() !== 'partial' && await job('lakes').locator('.state').innerText() === 'done',
+  'the states are not in the words of the command line');
 await tab.waitForSelector('table.holes tbody tr', { timeout: 20000 });
 const cells = await tab.locator('svg.map rect').count();
 expect(cells === 12, `the map has ${cells} cells`);
@@ -156,14 +158,22 @@ expect(await tab.locator('svg.map rect.unknown').count() === 0, 'cells of a job 
 
 // An output that is there is replaced only after a second click.
 await job('lakes').locator('.name').click();
-await job('lakes').locator('button', { hasText: 'do again' }).first().click();
+await job('lakes').locator('button', { hasText: 'retry' }).first().click();
 await job('lakes').locator('button', { hasText: 'replace its output?' }).waitFor({ timeout: 20000 });
-expect(await job().count() === 6, 'a job that is done again replaced an output unasked');
+expect(await job().count() === 6, 'a job that is retried replaced an output unasked');
 await tab.waitForSelector(`.jobview[data-job="${chosen}"]`);
 await tab.waitForSelector('table.holes tbody tr', { timeout: 20000 });
 const written = await tab.waitForFunction(() => document.querySelectorAll('svg.map rect.written').length >= 8, null,
   { timeout: 20000 }).catch(() => null);
 expect(written, 'after a restart cells are not shown as written');
+
+// An output that a later job has written is not shown as that of this one.
+await tab.route('**/holes', (route) => route.fulfill({ status: 409, json: { error: {
+  code: 'ABORTED', message: 'its output was written again by jobs/b; look there', reason: 'OUTPUT_REPLACED', metadata: {} } } }));
+await tab.waitForFunction(() => document.querySelector('main').innerText.includes('written again by jobs/b'), null, { timeout: 20000 })
+  .catch(() => expect(false, 'who wrote the output again is not told'));
+expect(await rows.count() === 0, 'holes of another job are shown');
+await tab.unroute('**/holes');
 
 // Who may watch alone has no buttons.
 const watcher = await page.open('dark', 'eve', chosen);

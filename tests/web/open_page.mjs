@@ -12,7 +12,7 @@ const faults = [];
 const expect = (holds, what) => { if (!holds) faults.push(what); };
 
 async function open(colorScheme) {
-  const tab = await browser.newPage({ viewport: { width: 1240, height: 900 }, colorScheme });
+  const tab = await (await browser.newContext({ viewport: { width: 1240, height: 900 }, colorScheme })).newPage();
   tab.on('pageerror', (error) => faults.push(`error: ${error.message}`));
   tab.on('console', (message) => { if (message.type() === 'error') faults.push(`console: ${message.text()}`); });
   tab.on('dialog', (dialog) => { faults.push('a text of the report ran as a script'); dialog.dismiss(); });
@@ -76,11 +76,40 @@ expect((await tab.locator('.review [role=status]').innerText()).startsWith('2 of
 await tab.reload();
 await tab.waitForSelector('body[data-pictures=ready]', { timeout: 60000 });
 expect(await queued(tab).nth(1).locator('select').inputValue() === 'open', 'a decision is lost when the page is opened again');
+
+// Two tabs of one report: neither writes its marks over those of the other.
+const other = await tab.context().newPage();
+await other.goto(`file://${page}`);
+await other.waitForSelector('table.queue tbody tr');
+await queued(other).first().focus();
+await other.keyboard.press('x');
+await tab.waitForFunction(() => document.querySelector('table.queue select')?.value === '', null, { timeout: 5000 })
+  .catch(() => faults.push('a tab does not hear of what another one decides'));
+await queued(tab).first().focus();
+await tab.keyboard.press('w');
+await queued(tab).first().locator('input').fill('1.25');
+await other.keyboard.press('ArrowDown');
+await other.keyboard.press('g');
+await other.keyboard.press('o');
+await other.close();
+await tab.reload();
+await tab.waitForSelector('body[data-pictures=ready]', { timeout: 60000 });
+expect((await Promise.all([0, 1].map((k) => queued(tab).nth(k).locator('select').inputValue()))).join() === 'water,open',
+  'a tab writes its marks over those of another');
+const command = await tab.locator('.command code').innerText();
+expect(/^tilemend run .*scene --out .*out --decisions decisions.geojson$/.test(command), `the command is ${command}`);
+expect(await tab.locator('.verdict + .warnings li').count() === 2, 'the warnings do not stand below the verdict');
 const [file] = await Promise.all([tab.waitForEvent('download'), load(tab).click()]);
 await file.saveAs(join(folder, 'decisions.geojson'));
 await tab.screenshot({ path: join(folder, 'light.png') });
 await tab.pdf({ path: join(folder, 'page.pdf'), format: 'A4' });
 expect(readFileSync(join(folder, 'page.pdf')).length > 10000, 'nothing was printed');
+
+// A narrow screen: no row of the table needs a third of it, and the page does not scroll sideways.
+await tab.setViewportSize({ width: 420, height: 900 });
+const heights = await rows.evaluateAll((list) => list.map((row) => row.getBoundingClientRect().height));
+expect(Math.max(...heights) < 150, `rows are ${heights} px high on a narrow screen`);
+expect(await tab.evaluate(() => document.documentElement.scrollWidth) <= 420, 'the page is wider than a narrow screen');
 await (await open('dark')).screenshot({ path: join(folder, 'dark.png') });
 await browser.close();
 for (const fault of faults) console.log(fault);

@@ -36,9 +36,9 @@ export interface LogLines { lines: string[] }
 
 export interface Me { name: string; maySteer: boolean; isAdmin: boolean }
 
-// `status` 0: the coordinator did not answer.
+// `status` 0: the coordinator did not answer. `wait`: milliseconds until it wants to be asked again, if it says so.
 export class ApiError extends Error {
-  constructor(readonly status: number, message: string, readonly reason: string) { super(message); }
+  constructor(readonly status: number, message: string, readonly reason: string, readonly wait = 0) { super(message); }
 }
 
 const TOKEN = 'tilemend-token';
@@ -68,7 +68,7 @@ async function call(method: string, path: string, headers: Record<string, string
   }
   if (answer.ok || answer.status === 304) return answer;
   const { error } = await answer.json().catch(() => ({})) as { error?: { message: string; reason: string } };
-  throw new ApiError(answer.status, error?.message ?? answer.statusText, error?.reason ?? '');
+  throw new ApiError(answer.status, error?.message ?? answer.statusText, error?.reason ?? '', 1000 * (Number(answer.headers.get('Retry-After')) || 0));
 }
 
 // The same object as before if nothing has changed.
@@ -111,12 +111,14 @@ export async function getTile(path: string, file = ''): Promise<TileFile> {
 // The coordinator reads a few tiles at once; who comes then asks again.
 async function whenThereIsRoom(ask: () => Promise<Response>): Promise<Response> {
   for (let wait = 250; ; wait *= 2) {
+    let told = 0;
     try {
       return await ask();
     } catch (error) {
       if (!(error instanceof ApiError) || error.status !== 503 || wait > 8000) throw error;
+      told = Math.min(error.wait, PATIENCE);
     }
-    await new Promise((resolve) => { setTimeout(resolve, wait); });
+    await new Promise((resolve) => { setTimeout(resolve, Math.max(wait, told)); });
   }
 }
 

@@ -7,7 +7,7 @@ export interface Hole {
   cell: [number, number];
   centre: number[];
   kind: string;
-  area: number;
+  area: number | null; // null, and 0 of a hole that was left: not known
   rim: number | null;
   filled: boolean;
   method: string;
@@ -56,9 +56,12 @@ export interface Review {
   items: ReviewItem[];
   z: number | null; // the height of the levels' zero
   crs: unknown;
-  outlines: string; // gzip, as base64: by hole of the item the coordinates of a MultiPolygon
+  outlines: string; // gzip, as base64: by hole of the item its Outlines
   earlier: string;  // the same: the features of decisions that were made before
 }
+
+// The polygon of one of the holes of an item.
+export interface Outline { hole: number; cluster: number | null; geometry: unknown }
 
 // Of one level of detail: nodes, and triangles added and removed.
 export interface DetailLevel {
@@ -83,7 +86,9 @@ export interface Report {
   version: string | null;
   date: string | null;
   scene: string | null;
+  out?: string;        // the folder that the page was made in
   options: Record<string, unknown> | null;
+  changed_options?: Record<string, unknown>; // those that are not the defaults
   warnings: string[] | null;
   water: Water[] | null;
   look_at: LookAt[] | null;

@@ -30,7 +30,7 @@ export class Failures {
   }
 
   update(cells: Cells, lines: string[]): void {
-    const text = lines.length > 0 ? lines.join('\n') : 'This coordinator has no lines of the job.';
+    const text = lines.length > 0 ? lines.join('\n') : 'There are no log lines of this job. Log lines are kept until the coordinator restarts.';
     if (this.log.textContent !== text) this.log.textContent = text;
     const { failures } = cells;
     const now = JSON.stringify(failures.map((failure) => [failure, evidenceOf(failure, lines)]));

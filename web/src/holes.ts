@@ -1,6 +1,6 @@
 // The table of holes: sorted by any column, filtered by text, outcome and cell.
 import type { Hole, Level, Report } from './data';
-import { counted, el, number } from './dom';
+import { areaText, counted, el, number } from './dom';
 
 const STEP = 100; // rows that are shown at once
 
@@ -10,27 +10,46 @@ export function levelText(level: Level): string {
 
 interface Column {
   title: string;
+  label?: string; // before the value where the table is narrow
   isNumber: boolean;
   text: (hole: Hole) => string;
   key: (hole: Hole) => number | string;
 }
 
+// A hole that was left without an area has one, but nobody knows it.
+export const knownArea = ({ area, filled, planned }: Hole): number | null => (area === 0 && !filled && !planned ? null : area);
+export const areaOf = (hole: Hole): string => { const area = knownArea(hole); return area === null ? 'unknown' : areaText(area); };
+export const squareMetres = (hole: Hole): string => (knownArea(hole) === null ? 'area unknown' : `${areaOf(hole)} m\u00b2`);
+
 const outcomeOf = (h: Hole): string => (h.planned ? 'planned' : h.filled ? h.method || 'filled' : 'left open');
 const firstLevel = (level: Level) => (Array.isArray(level) ? level[0] : level) ?? -Infinity;
 const COLUMNS: Column[] = [
-  { title: 'hole', isNumber: true, text: (h) => String(h.id), key: (h) => h.id },
-  { title: 'cell', isNumber: false, text: (h) => (h.cell ?? []).join(', '),
+  { title: 'hole', label: 'hole', isNumber: true, text: (h) => String(h.id), key: (h) => h.id },
+  { title: 'cell', label: 'cell', isNumber: false, text: (h) => (h.cell ?? []).join(', '),
     key: (h) => (h.cell ? h.cell[1] * 1e6 + h.cell[0] : 0) },
-  { title: 'x, y [m]', isNumber: false, text: (h) => (h.centre ?? []).slice(0, 2).map((c) => c.toFixed(1)).join(', '),
+  { title: 'x, y [m]', label: 'at', isNumber: false, text: (h) => (h.centre ?? []).slice(0, 2).map((c) => c.toFixed(1)).join(', '),
     key: (h) => h.centre?.[0] ?? 0 },
   { title: 'kind', isNumber: false, text: (h) => h.kind, key: (h) => h.kind },
-  { title: 'area [m\u00b2]', isNumber: true, text: (h) => number(h.area, 1), key: (h) => h.area },
+  { title: 'area [m\u00b2]', label: 'area', isNumber: true, text: areaOf, key: (h) => knownArea(h) ?? -Infinity },
   { title: 'outcome', isNumber: false, text: outcomeOf, key: (h) => (h.filled || h.planned ? outcomeOf(h) : '') },
-  { title: 'level [m]', isNumber: true, text: (h) => levelText(h.level), key: (h) => firstLevel(h.level) },
-  { title: 'sigma [m]', isNumber: true, text: (h) => number(h.sigma, 3), key: (h) => h.sigma ?? -Infinity },
-  { title: 'doubt [m\u00b3]', isNumber: true, text: (h) => number(h.doubt, 1), key: (h) => h.doubt ?? -Infinity },
+  { title: 'level [m]', label: 'level', isNumber: true, text: (h) => levelText(h.level), key: (h) => firstLevel(h.level) },
+  { title: 'sigma [m]', label: 'sigma', isNumber: true, text: (h) => number(h.sigma, 3), key: (h) => h.sigma ?? -Infinity },
+  { title: 'doubt [m\u00b3]', label: 'doubt', isNumber: true, text: (h) => number(h.doubt, 1), key: (h) => h.doubt ?? -Infinity },
   { title: 'reason', isNumber: false, text: (h) => h.reason, key: (h) => h.reason },
 ];
+
+const LONG = 80, SHORT = 40; // letters of a reason
+
+// A long reason in full where it is first, then only its beginning, which opens.
+function reasonCell(reason: string, seen: Set<string>): HTMLElement {
+  if (reason.length <= LONG || !seen.has(reason)) {
+    seen.add(reason);
+    return el('td', {}, reason);
+  }
+  const beginning = `${reason.slice(0, SHORT).replace(/\s+\S*$/, '')}\u2026`;
+  return el('td', {}, el('details', { class: 'again', click: (event) => event.stopPropagation() },
+    el('summary', { title: reason }, beginning), reason));
+}
 
 export type HoleRows = Pick<Report, 'per_hole' | 'hole_count'>;
 
@@ -77,7 +96,7 @@ export function holesTable(rows: HoleRows, choose?: (hole: Hole) => void): Holes
       (cell === null || (hole.cell?.[0] === cell[0] && hole.cell[1] === cell[1])) &&
       (outcome.value === '' || outcome.value === (hole.planned ? 'planned' : hole.filled ? 'filled' : 'left')) &&
       (kind.value === '' || kind.value === hole.kind) &&
-      (area.value === '' || hole.area >= Number(area.value)) &&
+      (area.value === '' || (knownArea(hole) ?? Infinity) >= Number(area.value)) &&
       (sigma.value === '' || (hole.sigma ?? -Infinity) >= Number(sigma.value)) &&
       (words === '' || COLUMNS.some((column) => column.text(hole).toLowerCase().includes(words))));
     if (!sorted) return holes;
@@ -94,10 +113,12 @@ export function holesTable(rows: HoleRows, choose?: (hole: Hole) => void): Holes
     const of = listed < report.hole_count ? ` (${number(listed)} of ${number(report.hole_count)} are listed here)` : '';
     count.textContent = counted(holes.length, 'hole') + of;
     const focused = body.contains(document.activeElement) ? (document.activeElement as HTMLElement).dataset['hole'] : undefined;
+    const seen = new Set<string>();
     body.replaceChildren(...holes.slice(0, shown).map((hole) =>
       el('tr', { 'data-hole': String(hole.id), class: hole.filled || hole.planned ? '' : 'open', ...(choose ? { tabindex: '0', click: () => choose(hole),
         keydown: (event: Event) => { if ((event as KeyboardEvent).key === 'Enter') choose(hole); } } : {}) },
-        ...COLUMNS.map((c) => el('td', { class: c.isNumber ? 'number' : '' }, c.text(hole))))));
+        ...COLUMNS.map((c) => (c.title === 'reason' ? reasonCell(hole.reason, seen)
+          : el('td', { class: c.isNumber ? 'number' : '', ...(c.label ? { 'data-label': c.label } : {}) }, c.text(hole)))))));
     if (focused) body.querySelector<HTMLElement>(`tr[data-hole="${focused}"]`)?.focus({ preventScroll: true });
     more.hidden = holes.length <= shown;
     head.querySelectorAll('th').forEach((th, i) => th.setAttribute(

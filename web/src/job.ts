@@ -2,15 +2,17 @@
 import type { WebGLRenderer } from 'three';
 import { ApiError, type Cells, get, type Holes, type Job, type JobReview, type LogLines } from './api';
 import type { Hole } from './data';
-import { el, number } from './dom';
+import { el } from './dom';
 import { Failures } from './failures';
 import { type Grid, legendOf, makeGrid } from './grid';
-import { type HoleRows, holesTable, type HolesTable } from './holes';
+import { type HoleRows, holesTable, type HolesTable, squareMetres } from './holes';
 import { JobMap, STATE_NAMES } from './job_map';
 import { isOver } from './jobs';
-import { Card, makeRenderer } from './pictures';
+import { Card, makeRenderer, MARK_NAME } from './pictures';
 import { reviewQueue } from './review';
 import { readCell } from './tile';
+
+const AGAIN = 30_000; // milliseconds until what a job that is over does not have is asked for again
 
 let renderer: WebGLRenderer | null | undefined;
 
@@ -26,6 +28,10 @@ function rowsOf(holes: Holes, map: JobMap): HoleRows {
 const NO_CELLS: Cells = {
   state: '', column: 0, row: 0, columns: 0, rows: 0, hasTiles: false, isRemembered: true, cells: '', held: [], failures: [] };
 
+// Whether no task of a job that is over failed for good.
+const endedWell = ({ state, progress }: Job): boolean =>
+  state === 'DONE' || (state === 'PARTIAL' && Number(progress.tasksQuarantined) === 0);
+
 export class JobView {
   readonly element = el('section', { class: 'jobview' });
   private readonly mapBox = el('div', { class: 'mapbox' });
@@ -39,6 +45,7 @@ export class JobView {
   private card: Card | null = null;
   private mapNote = '';
   private holesError = '';
+  private holesNext = 0;   // when to ask for them again
   private shape = '';
   private map: JobMap | null = null;
   private holes: Holes | null = null;
@@ -54,10 +61,10 @@ export class JobView {
   }
 
   async poll(job: Job): Promise<void> {
-    const cells = await this.readCells();
+    const cells = await this.readCells(job);
     if (!cells) return;
     const isPlanned = Number(job.progress.holes) > 0 || (isOver(job) && job.report !== '');
-    const holes = isPlanned ? await this.readHoles() : null;
+    const holes = isPlanned ? await this.readHoles(job) : null;
     const lines = await get<LogLines>(`/v1/${this.name}/log`);
     this.warnings.replaceChildren(...job.warnings.map((text) => el('p', { class: 'warning' }, text)));
     const told = this.mapNote + this.holesError;
@@ -88,13 +95,13 @@ export class JobView {
   }
 
   // As before while its scene is read, null at first. A map without cells if it is too large.
-  private async readCells(): Promise<Cells | null> {
+  private async readCells(job: Job): Promise<Cells | null> {
     try {
       const cells = await get<Cells>(`/v1/${this.name}/cells`);
-      this.mapNote = cells.isRemembered ? '' : 'This job was over before the coordinator was last started. Which of its tasks failed is not known.';
+      this.mapNote = cells.isRemembered || endedWell(job) ? '' : 'This job was over before the coordinator was last started. Which of its tasks failed is not known.';
       return cells;
     } catch (error) {
-      if (!(error instanceof ApiError) || (error.status !== 503 && error.reason !== 'TOO_LARGE')) throw error;
+      if (!(error instanceof ApiError) || (error.status !== 503 && error.status !== 409 && error.reason !== 'TOO_LARGE')) throw error;
       if (error.status === 503) return this.map?.cells ?? null;
       this.mapNote = error.message;
       return NO_CELLS;
@@ -102,15 +109,23 @@ export class JobView {
   }
 
   // As before while they are read; null if there are none.
-  private async readHoles(): Promise<Holes | null> {
+  private async readHoles(job: Job): Promise<Holes | null> {
+    const now = Date.now();
+    if (now < this.holesNext) return this.holes;
     this.holesError = '';
     try {
       return await get<Holes>(`/v1/${this.name}/holes`);
     } catch (error) {
       if (!(error instanceof ApiError) || error.status === 0 || error.status === 401) throw error;
-      if (error.status === 404) return null; // none yet, or its folder is gone
-      if (error.status !== 503) this.holesError = `The list of holes cannot be shown: ${error.message}`;
-      return this.holes;
+      if (error.status === 503) {
+        if (!this.holes) this.holesError = 'The list of holes is being read.';
+        this.holesNext = now + error.wait;
+        return this.holes;
+      }
+      if (isOver(job)) this.holesNext = now + AGAIN;
+      // 404: none yet, or its folder is gone. 409: a later job has written there.
+      if (error.status !== 404) this.holesError = `The list of holes cannot be shown: ${error.message}`;
+      return error.status === 404 || error.status === 409 ? null : this.holes;
     }
   }
 
@@ -146,7 +161,7 @@ export class JobView {
     const map = this.map;
     if (!map) return;
     this.shown = [cell, hole];
-    const text = hole ? `Hole ${hole.id}, ${number(hole.area, 1)} m\u00b2, in cell ${cell.join(', ')}` : map.textOf(map.indexOf(cell));
+    const text = hole ? `Hole ${hole.id}, ${squareMetres(hole)}, in cell ${cell.join(', ')}` : map.textOf(map.indexOf(cell));
     const parts: HTMLElement[] = [el('p', { role: 'status' }, text)];
     if (map.cells.hasTiles) {
       const button = el('button', { type: 'button', click: () => this.showPicture(cell, hole, button) }, 'show before and after');
@@ -167,7 +182,7 @@ export class JobView {
       return;
     }
     const card = this.card = new Card(() => readCell(this.name, cell, hole), hole ? `hole ${hole.id} in cell ${cell.join(', ')}` : `cell ${cell.join(', ')}`,
-      'Drag to turn, click and use the wheel to zoom. \u201cMarked\u201d shows new surface in blue.');
+      `Drag to turn, click and use the wheel to zoom. \u201cMarked\u201d shows new surface in ${MARK_NAME}.`);
     button.replaceWith(card.element);
     void card.load(renderer);
   }
@@ -192,9 +207,12 @@ export class JobView {
     try {
       if (this.reviewed.size === 0) await this.readReview();
     } catch (error) {
-      const isBeingRead = error instanceof ApiError && error.status === 503;
+      if (error instanceof ApiError && error.status === 503) {
+        this.reviewBox.replaceChildren(el('p', { class: 'quiet' }, 'The review queue is being read.'));
+        setTimeout(() => { if (this.element.isConnected) void this.showReview(hole); }, Math.max(500, error.wait));
+        return;
+      }
       this.reviewBox.replaceChildren(el('p', { class: 'warning' }, `The review queue cannot be shown: ${(error as Error).message}`));
-      if (isBeingRead) setTimeout(() => void this.showReview(hole), 500);
       return;
     }
     const row = this.reviewBox.querySelector<HTMLElement>(`tr[data-hole="${this.reviewed.get(hole.id) ?? ''}"]`);

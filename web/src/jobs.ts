@@ -2,12 +2,12 @@
 import { ApiError, type Job, type Me, post } from './api';
 import { el, number } from './dom';
 
-// In a surveyor's words.
+// In the words of `tilemend list`.
 export function stateText(job: Job): string {
   switch (job.state) {
     case 'RUNNING': return job.paused ? 'paused' : job.waiting ? 'waiting' : 'running';
     case 'DONE': return 'done';
-    case 'PARTIAL': return 'done, some left open';
+    case 'PARTIAL': return 'partial';
     case 'FAILED': return 'failed';
     default: return 'cancelled';
   }
@@ -50,6 +50,14 @@ function speedText(job: Job, rates: Rates, now: number): string {
   return `${speed}, ${durationText(left / rate)} left`;
 }
 
+// What the bar shows: tasks while they go, as cells are written late.
+function progressTexts(job: Job): string[] {
+  const { progress } = job, done = Number(progress.cellsDone);
+  const cells = `${number(done)} of ${number(Number(progress.cells))} cells`;
+  if (isOver(job)) return [cells];
+  return [progress.phase, `${number(Number(progress.tasksDone))} of ${number(Number(progress.tasks))} tasks`, done > 0 ? `${cells} written` : ''];
+}
+
 const baseName = (path: string): string => path.replace(/\/+$/, '').split('/').pop() || path;
 
 export interface JobActions { choose: (job: Job) => void; failed: (error: unknown) => void; changed: () => void }
@@ -75,7 +83,7 @@ function steerButtons(job: () => Job, actions: JobActions): { element: HTMLEleme
     else askAgain(cancel, 'really cancel?', 4000);
   });
   // An output that is there is replaced only after a second click.
-  const retry = button('do again', () => {
+  const retry = button('retry', () => {
     const overwrite = retry.dataset['sure'] === 'yes';
     run('retry', { requestId: crypto.randomUUID?.() ?? String(Math.random()), overwrite }, (error) => {
       if (error instanceof ApiError && error.reason === 'OUTPUT_EXISTS' && !overwrite) askAgain(retry, 'replace its output?', 8000);
@@ -116,16 +124,18 @@ class JobCard {
 
   update(job: Job, me: Me, rates: Rates, chosen: boolean, now: number): void {
     this.job = job;
-    const { progress } = job, cells = Number(progress.cells), done = Number(progress.cellsDone);
+    const { progress } = job;
     this.title.textContent = `${job.name} \u00b7 ${baseName(job.spec.scene)} \u2192 ${baseName(job.spec.out)}`;
     this.title.title = `${job.spec.scene} \u2192 ${job.spec.out}`;
     this.title.setAttribute('aria-pressed', String(chosen));
     this.state.textContent = stateText(job);
+    this.state.title = job.state === 'PARTIAL' ? 'done, but some holes are left open' : '';
     this.state.className = `state ${job.state.toLowerCase()}`;
-    const tasks = Number(progress.tasks); // cells are done late: each is written in the end
-    this.bar.value = job.state === 'DONE' || job.state === 'PARTIAL' ? 1 : tasks > 0 ? Number(progress.tasksDone) / tasks : 0;
+    const share = (done: string, all: string) => (Number(all) > 0 ? Number(done) / Number(all) : 0);
+    this.bar.value = job.state === 'DONE' || job.state === 'PARTIAL' ? 1
+      : isOver(job) ? share(progress.cellsDone, progress.cells) : share(progress.tasksDone, progress.tasks);
     this.bar.setAttribute('aria-label', `progress of ${job.name}`);
-    this.facts.textContent = [isOver(job) ? '' : progress.phase, `${number(done)} of ${number(cells)} cells`,
+    this.facts.textContent = [...progressTexts(job),
       Number(progress.holes) > 0 ? `${number(Number(progress.holesFilled))} of ${number(Number(progress.holes))} holes filled` : '',
       job.owner ? `by ${job.owner}` : ''].filter(Boolean).join(' \u00b7 ');
     this.speed.textContent = speedText(job, rates, now);

@@ -11,7 +11,7 @@ class Walk {
   missing = 0;
   private readonly seen = new Set<string>();
 
-  constructor(private readonly path: string, private readonly focus: Focus | null) {}
+  constructor(private readonly path: string, private readonly focus: Focus | null, private readonly absent: Set<string>) {}
 
   // Takes what has no finer file; a missing one is made good by what is there.
   async take(file: OsgbFile, name: string): Promise<void> {
@@ -37,8 +37,9 @@ class Walk {
     for (const name of names) {
       if (this.seen.has(name)) return false;
       this.seen.add(name);
-      const read = await getTileIfThere(this.path, name);
+      const read = this.absent.has(name) ? null : await getTileIfThere(this.path, name);
       if (!read) {
+        if (this.path.endsWith('/before')) this.absent.add(name); // an output may not be complete yet
         ++this.missing;
         return false;
       }
@@ -49,11 +50,23 @@ class Walk {
   }
 }
 
+// Files that tiles name and that are not there, by the tile in the scene. The output lacks them as well, as it has no
+// finer file than the scene.
+const MOST_ABSENT = 64; // tiles
+const absentBy = new Map<string, Set<string>>();
+
+function absentOf(path: string): Set<string> {
+  const tile = path.replace(/\/(before|after)$/, ''), absent = absentBy.get(tile) ?? new Set<string>();
+  if (absentBy.size >= MOST_ABSENT && !absentBy.has(tile)) absentBy.clear();
+  absentBy.set(tile, absent);
+  return absent;
+}
+
 export async function readOsgb(path: string, bytes: ArrayBuffer, focus: Focus | null): Promise<Tile> {
-  const walk = new Walk(path, focus), notes: string[] = [];
+  const walk = new Walk(path, focus, absentOf(path)), notes: string[] = [];
   await walk.take(parseOsgb(bytes), '');
   if (walk.left > 0) notes.push('Parts of the tile are shown coarser: choose a hole to see its surroundings.');
-  if (walk.missing > 0) notes.push(`Files of the tile that are missing: ${walk.missing}.`);
+  if (walk.missing > 0) notes.push(`${walk.missing === 1 ? '1 finer file that the tile names is' : `${walk.missing} finer files that the tile names are`} missing in the scene.`);
   return { surfaces: walk.surfaces, notes, texture: async (image) => {
     const jpeg = walk.images.get(image);
     return jpeg ? textureOf(jpeg, false) : null;

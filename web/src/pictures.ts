@@ -7,11 +7,13 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { type Crop, readCrop, type Role } from './crop';
 import type { Hole, Picture, Report } from './data';
 import { el, number } from './dom';
-import { levelText } from './holes';
+import { levelText, squareMetres } from './holes';
 
 const WIDTH = 560, HEIGHT = 380;
 type Mode = 'before' | 'after' | 'marked';
-const MARK = 0x2563c9;
+const MARK = 0xd01c8b; // unlike water, plants, roofs and streets
+const SHADE = 0x404040;
+export const MARK_NAME = 'magenta';
 
 export function makeRenderer(): WebGLRenderer | null {
   try {
@@ -70,7 +72,10 @@ class View {
   draw(canvas: HTMLCanvasElement, mode: Mode): void {
     for (const { role, mesh } of this.meshes) {
       mesh.visible = role === 'kept' || (role === 'cleared') === (mode === 'before');
-      if (role === 'added') mesh.material.emissive = new Color(mode === 'marked' ? MARK : 0);
+      if (role !== 'added') continue;
+      const isMarked = mode === 'marked';
+      mesh.material.emissive = new Color(isMarked ? MARK : 0);
+      mesh.material.color = new Color(isMarked ? SHADE : 0xffffff); // else image and light wash the mark out
     }
     this.renderer.render(this.scene, this.camera);
     const pen = canvas.getContext('2d');
@@ -84,7 +89,7 @@ function captionOf(hole: Hole | undefined, picture: Picture): string {
   if (!hole) return `hole ${picture.hole}`;
   const level = levelText(hole.level);
   const sigma = hole.sigma === null || hole.sigma === undefined ? '' : `, sigma ${number(hole.sigma, 3)} m`;
-  return `hole ${hole.id}, cell ${hole.cell.join(', ')}, ${number(hole.area, 1)} m\u00b2, ${hole.method}` +
+  return `hole ${hole.id}, cell ${hole.cell.join(', ')}, ${squareMetres(hole)}, ${hole.method}` +
     (level ? ` at ${level} m${sigma}` : '');
 }
 

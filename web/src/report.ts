@@ -1,9 +1,10 @@
 // report.html: puts the parts of the page together.
 import { type DetailLevel, type LookAt, type Report, type Water, readReport } from './data';
-import { counted, el, number } from './dom';
+import { decisionsCommand } from './command';
+import { areaText, counted, el, number } from './dom';
 import { holesTable, levelText } from './holes';
 import { cellMap } from './map';
-import { pictures } from './pictures';
+import { MARK_NAME, pictures } from './pictures';
 import { reviewQueue } from './review';
 
 function verdict(report: Report): HTMLElement {
@@ -17,12 +18,21 @@ function verdict(report: Report): HTMLElement {
   return el('div', { class: left > 0 ? 'verdict open' : 'verdict' }, el('strong', {}, text), ...(next ? [el('span', {}, next)] : []));
 }
 
+const MOST_WARNINGS = 5; // that are not folded
+
+function warnings(texts: string[]): HTMLElement {
+  const list = el('ul', {}, ...texts.map((text) => el('li', {}, text)));
+  const title = counted(texts.length, 'warning');
+  return texts.length > MOST_WARNINGS ? el('details', { class: 'warnings' }, el('summary', {}, title), list)
+    : el('section', { class: 'warnings' }, el('h2', {}, title), list);
+}
+
 function facts(report: Report): HTMLElement {
-  const area = report.per_hole.reduce((sum, hole) => sum + (hole.filled ? hole.area : 0), 0);
+  const area = report.per_hole.reduce((sum, hole) => sum + (hole.filled ? hole.area ?? 0 : 0), 0);
   const rows: [string, string][] = [
     ['cells', number(report.cells.length)],
     ['holes', number(report.hole_count)],
-    ['area filled', `${number(area)} m\u00b2`],
+    ['area filled', `${area < 1 ? areaText(area) : number(area)} m\u00b2`],
     ['waters', number(report.water?.length ?? 0)]];
   if (report.tasks?.tiles_kept) rows.push(['tiles kept', `${number(report.tasks.tiles_kept)} of ${number(report.tasks.tiles)}`]);
   if (report.cleared?.triangles) rows.push(['triangles cleared', number(report.cleared.triangles)]);
@@ -45,7 +55,7 @@ function waters(rows: Water[]): HTMLElement {
 function looks(rows: LookAt[]): HTMLElement {
   return table(['hole', 'cell', 'x, y [m]', 'area [m\u00b2]', 'why'],
     rows.map((r) => [String(r.hole ?? ''), (r.cell ?? []).join(', '), (r.centre ?? []).map((c) => c.toFixed(1)).join(', '),
-      number(r.area_m2, 1), r.why ?? '']), [3]);
+      r.area_m2 === undefined ? '' : areaText(r.area_m2), r.why ?? '']), [3]);
 }
 
 function levels(rows: DetailLevel[]): HTMLElement {
@@ -55,6 +65,17 @@ function levels(rows: DetailLevel[]): HTMLElement {
 
 function section(title: string, ...content: HTMLElement[]): HTMLElement {
   return el('section', {}, el('h2', {}, title), ...content);
+}
+
+const HOW_TO_LOOK = `Drag to turn, click and use the wheel to zoom. \u201cMarked\u201d shows new surface in ${MARK_NAME}.`;
+const LEAST_AREA = 0.5; // m2, of a fill with a picture: kLeastArea in client/page_pictures.cc
+
+function whyNoPictures(report: Report): string {
+  const largest = report.per_hole.reduce((most, hole) => (hole.filled ? Math.max(most, hole.area ?? 0) : most), -1);
+  if (largest < 0) return 'There is no picture, as no hole was filled.';
+  if (largest < LEAST_AREA) return `There is no picture, as all fills are smaller than ${LEAST_AREA} m\u00b2: the largest has ${areaText(largest)} m\u00b2.`;
+  return report.picture_problems.length > 0 ? 'There is no picture, as the tiles could not be read:'
+    : 'There is no picture, as no new surface was found at the places of the largest fills.';
 }
 
 function options(report: Report): HTMLElement {
@@ -68,26 +89,21 @@ function build(report: Report): HTMLElement[] {
     el('header', {}, el('h1', {}, 'tilemend report'),
       el('p', { class: 'quiet' }, [report.scene, report.date, report.version && `release ${report.version}`].filter(Boolean).join(' \u00b7 ')),
       el('button', { type: 'button', class: 'print', click: () => window.print() }, 'Print or save as PDF')),
-    verdict(report), facts(report)];
+    verdict(report), ...(report.warnings?.length ? [warnings(report.warnings)] : []), facts(report)];
   parts.push(section('Cells', cellMap(report, holes.showCell)));
   const review = report.review;
-  if (review?.items.length) parts.push(section('Review', reviewQueue(report, review)));
+  if (review?.items.length) parts.push(section('Review', reviewQueue(report, review, decisionsCommand(report))));
   const queued = new Set(review?.items.map((item) => item.hole));
   const others = (report.look_at ?? []).filter((look) => !queued.has(look.hole ?? -1));
   if (others.length) parts.push(section('Places to look at', looks(others)));
-  if (report.pictures.length || report.picture_problems.length) {
-    parts.push(section('The largest fills', el('p', { class: 'quiet' },
-      'Drag to turn, click and use the wheel to zoom. \u201cMarked\u201d shows new surface in blue.'),
-      ...report.picture_problems.map((text) => el('p', { class: 'warning' }, text)), pictures(report)));
-  }
+  parts.push(section('The largest fills', el('p', { class: 'quiet' }, report.pictures.length > 0 ? HOW_TO_LOOK : whyNoPictures(report)),
+    ...report.picture_problems.map((text) => el('p', { class: 'warning' }, text)), pictures(report)));
   if (report.water?.length) parts.push(section('Waters', waters(report.water)));
   parts.push(section('Holes', holes.element));
   if (report.levels?.length) parts.push(section('Levels of detail', levels(report.levels)));
-  if (report.warnings?.length) {
-    parts.push(section('Warnings', el('ul', {}, ...report.warnings.map((text) => el('li', {}, text)))));
-  }
   parts.push(options(report));
   return parts;
 }
 
+addEventListener('beforeprint', () => { for (const box of document.querySelectorAll<HTMLDetailsElement>('details.warnings')) box.open = true; });
 document.getElementById('page')?.replaceChildren(...build(readReport()));

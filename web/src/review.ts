@@ -1,5 +1,6 @@
 // The review queue: what a reviewer decides on fills in doubt. It is kept in the browser until it is downloaded.
-import type { LookAt, Report, Review, ReviewItem } from './data';
+import { copyable } from './command';
+import type { LookAt, Outline, Report, Review, ReviewItem } from './data';
 import { counted, el, number } from './dom';
 import { unzip } from './unzip';
 
@@ -10,27 +11,22 @@ type Decision = 'accept' | 'water' | 'ground' | 'open';
 const KEYS: Record<string, Decision | ''> = { a: 'accept', w: 'water', g: 'ground', o: 'open', x: '' };
 
 interface Mark { decision: Decision; level: string } // the level as it was typed; of water alone
-type Outlines = Record<string, number[][][][]>;      // by hole: the coordinates of a MultiPolygon
+type Outlines = Record<string, Outline[]>;           // by hole of the item
 
-// The marks of one report, kept in the browser where it keeps anything.
+// The marks of one report, kept in the browser where it keeps anything. Several tabs may show the report: each writes
+// what changed, and hears of what others write.
 class Marks {
-  private readonly marks = new Map<number, Mark>();
+  private marks = new Map<number, Mark>();
   keeps = true;
 
-  constructor(private readonly name: string) {
-    try {
-      const text = localStorage.getItem(name);
-      for (const [hole, mark] of JSON.parse(text ?? '[]') as [number, Mark][]) this.marks.set(hole, mark);
-    } catch {
-      this.keeps = false;
-    }
-  }
+  constructor(private readonly name: string) { this.read(); }
 
   get size(): number { return this.marks.size; }
   get(hole: number): Mark | undefined { return this.marks.get(hole); }
   entries(): [number, Mark][] { return [...this.marks]; }
 
   set(hole: number, mark: Mark | null): void {
+    this.read();
     if (mark) this.marks.set(hole, mark);
     else this.marks.delete(hole);
     this.keep();
@@ -39,6 +35,26 @@ class Marks {
   clear(): void {
     this.marks.clear();
     this.keep();
+  }
+
+  // Tells `changed` of what other tabs write, while `page` is shown.
+  listen(page: HTMLElement, changed: () => void): void {
+    const hear = ({ key }: StorageEvent) => {
+      if (!page.isConnected) return removeEventListener('storage', hear);
+      if (key !== this.name && key !== null) return;
+      this.read();
+      changed();
+    };
+    addEventListener('storage', hear);
+  }
+
+  private read(): void {
+    if (!this.keeps) return; // what is here is all there is
+    try {
+      this.marks = new Map(JSON.parse(localStorage.getItem(this.name) ?? '[]') as [number, Mark][]);
+    } catch {
+      this.keeps = false;
+    }
   }
 
   private keep(): void {
@@ -57,13 +73,14 @@ function levelOf(text: string): number | null | undefined {
   return Number.isFinite(Number(trimmed)) ? Number(trimmed) : undefined;
 }
 
-// Earlier decisions come first: of several on one hole the last one decides.
+// A feature for each hole: those of one mark may touch, so together they are no valid MultiPolygon. Earlier decisions
+// come first: of several on one hole the last one decides.
 export function decisionsGeoJson(earlier: unknown[], marks: [number, Mark][], outlines: Outlines, crs: unknown): string {
-  const made = marks.filter(([hole]) => outlines[hole]).map(([hole, { decision, level }]) => JSON.stringify({
+  const made = marks.flatMap(([item, { decision, level }]) => (outlines[item] ?? []).map(({ hole, cluster, geometry }) => ({
     type: 'Feature',
-    properties: { hole, decision, level_m: decision === 'water' ? levelOf(level) ?? null : null },
-    geometry: { type: 'MultiPolygon', coordinates: outlines[hole] } }));
-  const features = [...earlier.map((feature) => JSON.stringify(feature)), ...made];
+    properties: { hole, cluster, decision, level_m: decision === 'water' ? levelOf(level) ?? null : null },
+    geometry })));
+  const features = [...earlier, ...made].map((feature) => JSON.stringify(feature));
   const head = crs ? `"crs": ${JSON.stringify(crs)},\n` : '';
   return `{"type": "FeatureCollection",\n${head}"features": [\n${features.join(',\n')}\n]}\n`;
 }
@@ -79,12 +96,20 @@ function save(text: string, name: string): void {
   setTimeout(() => URL.revokeObjectURL(url), 10000);
 }
 
+// "419.743 \u00b1 0.823", of a rim that has a level; without a standard deviation if the user gave it.
+function rimText({ sigma_m: sigma }: ReviewItem, level: number | null): string {
+  return level === null || sigma === undefined ? number(level, 3) : `${number(level, 3)} \u00b1 ${number(sigma, 3)}`;
+}
+
+// Not of a river, which falls, nor of ground, whose rim is uneven or too short to tell.
+const hasLevelRim = ({ taken_for: verdict }: ReviewItem): boolean => verdict === 'lake' || verdict === 'level ground';
+
 class Row {
   readonly element: HTMLTableRowElement;
   private readonly choice: HTMLSelectElement;
   private readonly level: HTMLInputElement;
 
-  constructor(item: ReviewItem, rank: number, why: string, private readonly absolute: number | null,
+  constructor(private readonly item: ReviewItem, rank: number, why: string, private readonly absolute: number | null,
     private readonly marks: Marks, changed: () => void) {
     const name = `hole ${item.hole}`;
     this.hole = item.hole;
@@ -92,10 +117,11 @@ class Row {
       change: () => { this.set(this.choice.value as Decision | ''); changed(); } },
       ...CHOICES.map(([value, text]) => el('option', { value }, text)));
     this.level = el('input', { type: 'text', inputmode: 'decimal', class: 'level', placeholder: 'as its shore',
+      title: `${hasLevelRim(item) ? '' : 'The rim is not known to be level. '}A height of the scene\u2019s CRS in metres. Without one the water gets the level of its shore.`,
       'aria-label': `level of ${name} [m]`, input: () => { this.store('water'); changed(); } });
     const text = (...parts: string[]) => parts.filter(Boolean).join('; ');
     const cells = [String(rank), String(item.hole), (item.cell ?? []).join(', '), number(item.area_m2, 1), item.taken_for,
-      number(absolute, 3), number(item.doubt_m, 3), number(item.doubt_m3, 1), text(item.reason, why)];
+      rimText(item, absolute), number(item.doubt_m, 3), number(item.doubt_m3, 1), text(item.reason, why)];
     this.element = el('tr', { tabindex: '0', 'aria-label': `${rank}, ${name}`, 'data-hole': String(item.hole) },
       ...cells.map((cell, i) => el('td', { class: [0, 1, 3, 5, 6, 7].includes(i) ? 'number' : '' }, cell)),
       el('td', {}, el('div', { class: 'decide' }, this.choice, this.level)));
@@ -110,7 +136,7 @@ class Row {
   }
 
   set(decision: Decision | ''): void {
-    if (decision === 'water' && this.level.value === '' && this.absolute !== null) this.level.value = this.absolute.toFixed(3);
+    if (decision === 'water' && this.level.value === '' && this.absolute !== null && hasLevelRim(this.item)) this.level.value = this.absolute.toFixed(3);
     this.store(decision);
     if (decision === 'water') this.level.select();
   }
@@ -130,8 +156,9 @@ class Row {
   }
 }
 
-export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at'>, review: Review): HTMLElement {
-  const marks = new Marks(`tilemend decisions ${report.scene ?? ''} ${report.date ?? ''}`);
+// The marks are those of this scene, date and folder. `command` makes use of the file.
+export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 'out'>, review: Review, command: string | null = null): HTMLElement {
+  const marks = new Marks(['tilemend decisions', report.scene ?? '', report.date ?? '', ...(report.out ? [report.out] : [])].join(' '));
   const reasons = new Map((report.look_at ?? []).map((look: LookAt) => [look.hole, look.why ?? '']));
   const rows = review.items.map((item, i) => new Row(item, i + 1, reasons.get(item.hole) ?? '',
     item.level_m === undefined || review.z === null ? null : item.level_m + review.z, marks, () => tell()));
@@ -183,13 +210,17 @@ export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at'>, 
   });
   fill();
   tell();
-  const headings = ['', 'hole', 'cell', 'area [m\u00b2]', 'taken for', 'level [m]', 'doubt [m]', 'doubt [m\u00b3]', 'because', 'decision'];
-  return el('div', { class: 'review' },
+  const headings = ['', 'hole', 'cell', 'area [m\u00b2]', 'taken for', 'level of the rim \u00b1 sigma [m]', 'doubt [m]', 'doubt [m\u00b3]', 'because', 'decision'];
+  const queue = el('div', { class: 'review' },
     el('p', { class: 'quiet' }, 'Fills by their doubt: the error of height that is to be expected, times the area. ' +
       'In a row: \u2191 \u2193 to move, A accept, W water, G ground, O leave open, X not decided. Levels are heights of the scene\u2019s CRS. ' +
-      'tilemend run with --decisions FILE and the same options makes the fills anew that are to be redone. ' +
-      'The file has the decisions of earlier rounds as well.'),
+      '\u201cRedo as water\u201d takes the level that is typed, or that of the shore if none is; that of a level rim is there already. ' +
+      'The file has the decisions of earlier rounds as well. This makes the fills anew that are to be redone' +
+      (command ? ':' : ': tilemend run with --decisions FILE and the same scene, folder and options.')),
+    ...(command ? [copyable(command)] : []),
     el('div', { class: 'filters' }, download, forget, status),
     el('div', { class: 'scroll' }, el('table', { class: 'queue' }, el('thead', {}, el('tr', {},
       ...headings.map((text, i) => el('th', { scope: 'col', class: [0, 1, 3, 5, 6, 7].includes(i) ? 'number' : '' }, text)))), body)), more);
+  marks.listen(queue, () => { rows.forEach((row) => row.show()); tell(); });
+  return queue;
 }

@@ -4,6 +4,7 @@ import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
 import { getTileIfThere } from './api';
 import { type Crop, type Part, type Role, sphereOf } from './crop';
 import type { Hole } from './data';
+import { knownArea } from './holes';
 import { readObj } from './obj';
 import { readOsgb } from './osgb_tile';
 import { EMPTY, type Focus, type Surface, surfaceOf, type Tile } from './surface';
@@ -125,10 +126,13 @@ function sphereOfParts(parts: Part[]): { centre: [number, number, number]; radiu
   return sphereOf(numbers, Array.from({ length: numbers.length / 3 }, (_, i) => i));
 }
 
+// The side of a square of its area; of one as long around where that is not known.
+const sizeOf = (hole: Hole): number => { const area = knownArea(hole); return area === null ? (hole.rim ?? 0) / 4 : Math.sqrt(area); };
+
 // Of a cell, or of one hole in it.
 export async function readCell(job: string, cell: [number, number], hole: Hole | null): Promise<Crop> {
   const path = `/v1/${job}/cells/${cell[0]},${cell[1]}`;
-  const radius = hole ? Math.max(2, Math.sqrt(hole.area)) : 0;
+  const radius = hole ? Math.max(2, sizeOf(hole)) : 0;
   const focus = hole && hole.centre.length >= 2 ? { x: hole.centre[0]!, y: hole.centre[1]!, radius: SHOWN_AROUND * radius } : null;
   const before = await readTile(`${path}/before`, focus), after = await readTile(`${path}/after`, focus, before.frame);
   const isWritten = after.surfaces.length > 0;

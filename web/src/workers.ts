@@ -3,7 +3,15 @@ import type { WorkerInfo, WorkerTask } from './api';
 import { el, number } from './dom';
 import { durationText } from './jobs';
 
-const STATES: Record<string, string> = { WORKING: 'at work', DRAINING: 'ending', SET_ASIDE: 'set aside' };
+// In the words of `tilemend workers`.
+const stateOf = ({ state, tasks }: WorkerInfo): string =>
+  (state === 'WORKING' && tasks === 0 ? 'idle' : state.toLowerCase().replaceAll('_', ' '));
+
+// Tasks that it is at, of those that it takes at once, and those that it holds beside them.
+function tasksOf({ tasks, threads }: WorkerInfo): string {
+  const waiting = Math.max(0, tasks - threads);
+  return `${number(tasks - waiting)} of ${number(threads)}${waiting > 0 ? `, ${number(waiting)} waiting` : ''}`;
+}
 
 const ago = (time: string, now: number): string => durationText(Math.max(0, now - Date.parse(time)) / 1000);
 
@@ -24,8 +32,8 @@ export function workersTable(workers: WorkerInfo[], choose: (task: WorkerTask) =
     el('thead', {}, el('tr', {}, ...['worker', 'state', 'tasks', 'doing', 'heard of', 'release', 'remark'].map((text, k) =>
       el('th', { class: k === 2 ? 'number' : '', scope: 'col' }, text)))),
     el('tbody', {}, ...workers.map((w) => el('tr', {},
-      el('td', {}, w.id), el('td', {}, w.doing.length === 0 && w.state === 'WORKING' ? 'idle' : STATES[w.state] ?? w.state),
-      el('td', { class: 'number' }, `${number(w.tasks)} of ${number(w.threads)}`), doing(w, now, choose),
+      el('td', {}, w.id), el('td', {}, stateOf(w)),
+      el('td', { class: 'number' }, tasksOf(w)), doing(w, now, choose),
       el('td', {}, `${ago(w.lastSeen, now)} ago`),
       el('td', {}, w.release), el('td', {}, w.message))))));
 }

@@ -16,8 +16,8 @@ constexpr char kReview[] = R"({"review": [
   {"hole": 4, "holes": [3, 4], "area_m2": 9, "doubt_m3": 2}, {"hole": 7, "holes": [7], "area_m2": 5, "doubt_m3": 1}]})";
 
 std::string HoleFeature(int hole, const std::string& geometry) {
-  return R"({"type": "Feature", "properties": {"hole": )" + std::to_string(hole) + R"(}, "geometry": )" + geometry +
-         "}";
+  return R"({"type": "Feature", "properties": {"cluster": 6, "hole": )" + std::to_string(hole) + R"(}, "geometry": )" +
+         geometry + "}";
 }
 
 std::string Holes() {
@@ -55,8 +55,11 @@ TEST(PageReviewTest, AnItemHasThePolygonsOfAllItsHoles) {
   EXPECT_EQ((*review)["items"][0]["hole"], 4);
   EXPECT_EQ((*review)["crs"]["properties"]["name"], "urn:ogc:def:crs:EPSG::25832");
   const Json outlines = Json::parse(Unzipped((*review)["outlines"]));
-  EXPECT_EQ(outlines["4"].size(), 3U);
-  EXPECT_EQ(outlines["4"][0][0][1], Json({4, 0}));
+  ASSERT_EQ(outlines["4"].size(), 2U) << "one for each hole: what touches is no valid MultiPolygon";
+  EXPECT_EQ(outlines["4"][0]["hole"], 3);
+  EXPECT_EQ(outlines["4"][0]["geometry"]["coordinates"][0][1], Json({4, 0}));
+  EXPECT_EQ(outlines["4"][1]["geometry"]["type"], "MultiPolygon");
+  EXPECT_EQ(outlines["4"][1]["cluster"], 6);
   EXPECT_FALSE(outlines.contains("5"));
   EXPECT_TRUE(outlines["7"].is_null()) << "a boundary that is not closed has no polygon";
 }

@@ -1,0 +1,36 @@
+// Command lines to copy.
+import type { Report } from './data';
+import { el } from './dom';
+
+const SAFE = /^[\w@%+=:,./-]+$/; // words that a shell takes as they are
+
+export const shellQuoted = (word: string): string => (SAFE.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
+
+// One option as words. Of switches only those that are on can be given.
+function wordsOf(name: string, value: unknown): string[] {
+  if (typeof value === 'boolean') return value ? [`--${name}`] : [];
+  const text = String(value);
+  return text.startsWith('-') ? [`--${name}=${text}`] : [`--${name}`, text];
+}
+
+// The run of the report with the decisions of the review; null if the report does not tell its scene and folder.
+export function decisionsCommand({ scene, out, changed_options: changed }: Report): string | null {
+  if (!scene || !out) return null;
+  const options = Object.entries(changed ?? {}).filter(([name]) => name !== 'decisions').flatMap(([name, value]) => wordsOf(name, value));
+  return ['tilemend', 'run', scene, '--out', out, ...options, '--decisions', 'decisions.geojson'].map(shellQuoted).join(' ');
+}
+
+// A command with a button that copies it. Where the browser forbids that, the button selects the text.
+export function copyable(command: string): HTMLElement {
+  const code = el('code', {}, command), status = el('span', { class: 'quiet', 'aria-live': 'polite' });
+  const copy = async () => {
+    try {
+      await navigator.clipboard.writeText(command);
+      status.textContent = 'copied';
+    } catch {
+      getSelection()?.selectAllChildren(code);
+      status.textContent = 'selected: copy it with Ctrl+C';
+    }
+  };
+  return el('div', { class: 'command' }, code, el('button', { type: 'button', class: 'copy', click: () => void copy() }, 'Copy'), status);
+}
