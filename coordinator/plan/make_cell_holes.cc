@@ -94,7 +94,7 @@ class CellHolesBuilder {
     const StoredRecord stored = RecordOf(result_.cell);
     if (stored == nullptr) return;
     const auto own = stored.Outline();
-    const std::span<const int32_t> of = plan_.VerticesOf(result_.cell);
+    const std::span<const int32_t> of = VerticesOf(plan_, result_.cell);
     for (size_t i = 0; i < of.size(); ++i)
       if (of[i] >= 0) own_index_.emplace(of[i], own->vertices[i].index);
   }
@@ -212,7 +212,7 @@ class CellHolesBuilder {
   void AddBand(CellId tile, const std::vector<Eigen::AlignedBox3d>& others) {
     const StoredRecord stored = RecordOf(tile);
     if (stored == nullptr) return;
-    const std::span<const int32_t> of = plan_.VerticesOf(tile);
+    const std::span<const int32_t> of = VerticesOf(plan_, tile);
     std::unordered_map<int32_t, int32_t> number;  // band point -> the result's
     const auto rim_vertex = [&](int32_t v) {
       if (v >= static_cast<int32_t>(of.size())) return -1;

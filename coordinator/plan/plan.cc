@@ -91,7 +91,7 @@ int32_t StoreVertices(const PlanInput& input, Rim& rim, const SeamLayout& seams,
     const uint8_t lines = p.index < 0 ? kFixedVertex : 0;
     plan.vertices.push_back({p.tile, p.index, p.position, p.centroid_height, p.size, lines});
   }
-  for (const auto& [cell, ground] : input.rim_ground) StoreGround(ground, plan.VerticesOf(cell), plan);
+  for (const auto& [cell, ground] : input.rim_ground) StoreGround(ground, VerticesOf(plan, cell), plan);
   for (const SeamVertex& v : seams.vertices) {
     const double height = v.beside >= 0 ? rim.points[v.beside].position.z() : 0;
     const Point3 position(v.position.x(), v.position.y(), height);

@@ -79,7 +79,7 @@ bool SomeHolesLeft(const SceneReportInput& input) {
 
 bool IsPartial(const SceneReportInput& input) {
   const std::vector<LeftOpen> left = LeftOf(input);
-  return std::ranges::any_of(left, [&](const LeftOpen& l) {
+  return !input.outcome.impaired.empty() || std::ranges::any_of(left, [&](const LeftOpen& l) {
     return l.is_hole && l.reason != kLeftByDecision &&
            (l.hole < 0 || !IsTiny(input.plan->holes[static_cast<size_t>(l.hole)]));
   });

@@ -26,7 +26,7 @@ bool SomeHolesLeft(const SceneReportInput& input);
 inline constexpr double kTinyHole = 0.05;  // m2
 
 // The same of a scene, whose lengths are metres: holes of less than kTinyHole, and those that a reviewer wants open, do
-// not count. An area that is not known counts.
+// not count. An area that is not known counts, and so does a cell that was filled without some result.
 bool IsPartial(const SceneReportInput& input);
 
 // "; 2 left open are smaller than 0.05 m2 and do not count; 1 left open by decision does not count": of the holes in

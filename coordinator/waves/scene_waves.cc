@@ -171,11 +171,20 @@ struct ResultTaker {
   }
 };
 
+// Tells of a step that has a name, unless it was told last.
+SceneWaves::StepEnded EachOnce(SceneWaves::StepEnded step_ended) {
+  return [told = std::string(), step_ended = std::move(step_ended)](std::string_view step) mutable {
+    if (step.empty() || step == told) return;
+    told = step;
+    if (step_ended) step_ended(step);
+  };
+}
+
 }  // namespace
 
 SceneWaves::SceneWaves(Scene scene, WaveOptions options, StepEnded step_ended)
     : options_(std::move(options)),
-      step_ended_(std::move(step_ended)),
+      step_ended_(EachOnce(std::move(step_ended))),
       data_(std::move(scene), options_.plan.water.areas) {
   if (data_.survey.ToMeasure().empty()) step_.wave = Wave::kSurvey;
   Begin();
@@ -184,7 +193,7 @@ SceneWaves::SceneWaves(Scene scene, WaveOptions options, StepEnded step_ended)
 std::optional<SceneWork> SceneWaves::Next() {
   const auto is_over = [&] { return queue_.is_over() && (step_.wave != Wave::kAssemble || queue_.writes().is_over()); };
   while (is_over() && !done()) Advance();
-  if (step_.wave == Wave::kCluster && !options_.is_wang() && data_.clusters.IsOver()) EndStep("sample");
+  if (step_.wave == Wave::kCluster && !options_.is_wang() && data_.clusters.IsOver()) step_ended_("sample");
   const std::optional<WorkItem> item = queue_.Next();
   if (!item) return std::nullopt;
   return WorkOf(*item, step_.layer, options_.is_wang(), data_);
@@ -202,15 +211,9 @@ CellCounts SceneWaves::cells() const {
 
 void SceneWaves::Advance() {
   SettleWave(step_.wave, options_, data_);
-  EndStep(EndOf(step_, options_, plan().layers));
+  step_ended_(EndOf(step_, options_, plan().layers));
   step_ = After(step_, options_, plan().layers);
   Begin();
-}
-
-void SceneWaves::EndStep(std::string_view step) {
-  if (step.empty() || step == last_ended_) return;
-  last_ended_ = step;
-  if (step_ended_) step_ended_(step);
 }
 
 void SceneWaves::Begin() {

@@ -98,14 +98,11 @@ class SceneWaves {
  private:
   // Starts the wave after the one that is over.
   void Advance();
-  // Tells it, unless it was told last.
-  void EndStep(std::string_view step);
   void Begin();
 
   const WaveOptions options_;
-  const StepEnded step_ended_;
+  const StepEnded step_ended_;  // each step once
   WaveStep step_;
-  std::string_view last_ended_;
   WorkQueue queue_;
   SceneData data_;
 };

@@ -222,12 +222,13 @@ struct Plan {
   // Per tile: the plan vertex of each boundary vertex of its record; -1: it bounds no hole. Tiles of which none does
   // are not there.
   std::map<CellId, std::vector<int32_t>> vertex_of_boundary;
-
-  std::span<const int32_t> VerticesOf(CellId tile) const {
-    const auto found = vertex_of_boundary.find(tile);
-    return found == vertex_of_boundary.end() ? std::span<const int32_t>() : found->second;
-  }
 };
+
+// Plan::vertex_of_boundary of a tile; empty if it is not there.
+inline std::span<const int32_t> VerticesOf(const Plan& plan, CellId tile) {
+  const auto found = plan.vertex_of_boundary.find(tile);
+  return found == plan.vertex_of_boundary.end() ? std::span<const int32_t>() : found->second;
+}
 
 }  // namespace tilemend
 

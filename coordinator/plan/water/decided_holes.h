@@ -8,8 +8,8 @@ namespace tilemend {
 
 // Sets Plan::decisions, by WaterAreas with a decision. The last one that covers more than half of a cluster of open
 // holes, or of a closed hole, decides on it; where none does, those that say the same may together (FindDecidingArea).
-// Holes whose decision is kOpen get the failure kLeftByDecision, unless they have one. To be called when clusters are known and before water is found. Cost O(decisions * groups), and as
-// CoverLines where they meet.
+// Holes whose decision is kOpen get the failure kLeftByDecision, unless they have one. To be called when clusters are
+// known and before water is found. Cost O(decisions * groups), and as CoverLines where they meet.
 void DecideHoles(const std::vector<WaterArea>& areas, Plan& plan);
 
 }  // namespace tilemend

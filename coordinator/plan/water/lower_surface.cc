@@ -83,7 +83,7 @@ std::vector<double> LowerShares(const Plan& plan, const PlanInput& input, std::s
     const auto meets = [&](const ShoreIndex& shore) { return shore.box().intersects(tile); };
     if (std::ranges::none_of(indices, meets)) continue;
     const auto band = record.WithBand();
-    const std::span<const int32_t> plan_vertex = plan.VerticesOf(cell);
+    const std::span<const int32_t> plan_vertex = VerticesOf(plan, cell);
     for (ShoreIndex& shore : indices) {
       if (!meets(shore)) continue;
       for (size_t i = 0; i < band->band.points.size(); ++i) {
