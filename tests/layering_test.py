@@ -238,7 +238,7 @@ RULES = {
 
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
-        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/codec/tree', 'common/codec/tiles3d', 'common/image', 'common/store', 'common/assemble', 'common/rpc', 'common/s3', 'worker/survey', 'worker/ground', 'worker/propose',
+        ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/codec/tiles3d', 'common/codec/tree', 'common/image', 'common/store', 'common/assemble', 'common/rpc', 'common/s3', 'worker/survey', 'worker/ground', 'worker/propose',
          'worker/check', 'worker/materials', 'worker/service', 'client/mesh', 'coordinator/plan/rim', 'coordinator/waves', 'coordinator/report',
          'coordinator/jobs', 'coordinator/api'],
         ['absl', 'eigen', 'grpc', 'json', 'protobuf']),
