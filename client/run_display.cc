@@ -59,7 +59,7 @@ std::string KeptText(const Json& report) {
   return absl::StrCat(Text(kept), " of ", Text(all), " tiles kept as they were\n");
 }
 
-std::string WarningsText(const Json& report) {
+std::string WarningLines(const Json& report) {
   std::string text;
   for (const Json& warning : Member(report, "warnings")) {
     absl::StrAppend(&text, "warning: ", Printable(Text(warning)), "\n");
@@ -85,7 +85,7 @@ std::string StageText(const v1::Job& job) {
 }
 
 std::string ResultText(const Json& report) {
-  return absl::StrCat(FilledText(report), KeptText(report), WarningsText(report),
+  return absl::StrCat(FilledText(report), KeptText(report), WarningLines(report),
                       WaterText(report, "filled flat as water"), LookAtText(report), LeftText(report, "left open"));
 }
 

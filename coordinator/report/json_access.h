@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 
 namespace tilemend {
@@ -51,7 +52,7 @@ inline std::string AreaText(const nlohmann::ordered_json& value) {
 // A place in a scene (two coordinates) with two decimals. That of a mesh, which may be small, is as precise as it is.
 inline std::string CentreText(const nlohmann::ordered_json& value) {
   if (!value.is_array() || value.size() != 2) return Text(value);
-  return "[" + Decimals(value[0], 2) + "," + Decimals(value[1], 2) + "]";
+  return absl::StrCat("[", Decimals(value[0], 2), ",", Decimals(value[1], 2), "]");
 }
 
 }  // namespace tilemend
