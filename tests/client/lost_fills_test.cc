@@ -73,7 +73,7 @@ TEST(LeftHolesTest, EdgesNearABoundaryMayBeOpen) {
 
 TEST(LeftHolesTest, WithoutABoundaryThoseAroundTheMiddle) {
   std::vector<ReportedOutput::Left> left(1);
-  left[0].at = {10, 10};
+  left[0].at = {10, 10, 0};
   left[0].reach = 2;
   const LeftHoles holes(left);
   EXPECT_TRUE(holes.AreAt({12.9, 10}, {}));

@@ -53,7 +53,13 @@ class UprightWallsTest : public ::testing::Test {
   }
 
   CellHoles cell_;
-  const CellHoles alone_{.vertices = std::vector<RimVertex>(4)};
+  static CellHoles WithoutHoles() {
+    CellHoles cell;
+    cell.vertices.resize(4);
+    return cell;
+  }
+
+  const CellHoles alone_ = WithoutHoles();
   const CellBand band_{alone_};
   LocalHole hole_;
   LocalPatch patch_;
