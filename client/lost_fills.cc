@@ -52,15 +52,15 @@ void LostFills::Add(const NewOpenEdge& edge) {
 }
 
 std::vector<NewOpenEdge> LostFills::Lost() const {
-  std::vector<double> open(rims_, 0), closed(rims_, 0);  // metres
+  std::vector<double> open(rims_, 0), all(rims_, 0);  // metres
   for (const Segment& s : segments_) {
     const double length = (s.b - s.a).norm();
-    if (s.is_closed) closed[s.rim] += length;
+    all[s.rim] += length;
     if (!s.is_closed && !s.open.empty()) open[s.rim] += length;
   }
   std::vector<NewOpenEdge> lost;
   for (const Segment& s : segments_) {
-    if (!s.is_closed && open[s.rim] > closed[s.rim]) lost.insert(lost.end(), s.open.begin(), s.open.end());
+    if (!s.is_closed && open[s.rim] > all[s.rim] / 2) lost.insert(lost.end(), s.open.begin(), s.open.end());
   }
   return lost;
 }

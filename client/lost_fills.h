@@ -24,8 +24,9 @@ class LostFills {
   // Takes one more edge with one triangle in the input, and one or more in the output.
   void Add(const NewOpenEdge& edge);
 
-  // The open edges of the boundaries of which more is open than closed. Where surfaces lie above each other, a part of
-  // a boundary is closed if the edge of one of them is. O(n).
+  // The open edges of the boundaries of which more than half is open. Where surfaces lie above each other, a part of a
+  // boundary is closed if the edge of one of them is. Of holes that a polygon cleared most edges were not open in the
+  // input, so they are not told of. O(n).
   std::vector<NewOpenEdge> Lost() const;
 
  private:

@@ -38,6 +38,13 @@ TEST(LostFillsTest, ABoundaryThatIsClosedDidNot) {
   EXPECT_THAT(half.Lost(), IsEmpty());
 }
 
+// As where a polygon cleared surface up to the outline of a piece: the other edges were not open in the input.
+TEST(LostFillsTest, AFewOpenEdgesOfABoundaryAreNoLoss) {
+  LostFills fills({kSquare});
+  fills.Add(EdgeOf({0, 0, 1}, {4, 0, 1}, 1));
+  EXPECT_THAT(fills.Lost(), IsEmpty());
+}
+
 TEST(LostFillsTest, OpenSurfacesAboveAFillAreNoLoss) {
   LostFills fills({kSquare});
   AddSquare(1, 4, fills);
