@@ -43,8 +43,9 @@ HttpAnswer PlainAnswer(int status, std::string text) { return {.status = status,
 // "HOST" of a Host header.
 std::string HostOf(const HttpRequest& request) {
   const std::string host = request.Header("host");
-  const size_t end = absl::StartsWith(host, "[") ? host.find(']') + 1 : host.find(':');
-  return host.substr(0, end);
+  if (!absl::StartsWith(host, "[")) return host.substr(0, host.find(':'));
+  const size_t after = host.find(']') + 1;
+  return after == 0 || host.substr(after, 1) == ":" ? host.substr(0, after) : host;
 }
 
 bool IsAddressOrLocal(const std::string& host) {

@@ -281,8 +281,10 @@ TEST_F(TilesetRunTest, TheAcceptanceCheckComparesAllLevels) {
   EXPECT_THAT(Tilemend({"check", folder_ / "scene", folder_ / "out"}).out,
               HasSubstr("1  changed or missing files that say where tiles lie"));
   folder_.Write("out/tileset.json", entry);
-  // As it was in the scene, with its hole.
-  folder_.Write(path, *ReadFile(folder_ / "scene/Data/Tile_p000_p000/Tile_p000_p000.glb"));
+  // The coarsest level as it was in the scene, with its hole.
+  for (const char* model : {"Data/Tile_p000_p000/Tile_p000_p000.glb", "Data/Tile_p001_p000/Tile_p001_p000.glb"}) {
+    folder_.Write(absl::StrCat("out/", model), *ReadFile(folder_ / absl::StrCat("scene/", model)));
+  }
   const Ended unfilled = Tilemend({"check", folder_ / "scene", folder_ / "out"});
   EXPECT_EQ(unfilled.code, 100);
   EXPECT_THAT(unfilled.out, HasSubstr("1  levels of detail of tiles that were not filled"));

@@ -122,7 +122,8 @@ TEST(TreeFaceLooksTest, ImagesAndTextureCoordinatesTell) {
 }
 
 TEST(TreeFaceLooksTest, TheColourOfTheMaterialTells) {
-  auto tile = ReadTileTree(OsgbScene().Pack(0), "a.osgb");
+  const std::string pack = OsgbScene().Pack(0);
+  auto tile = ReadTileTree(pack, "a.osgb");
   ASSERT_TRUE(tile.ok()) << tile.status();
   const TreeLevel level = LevelOf(*tile, 0);
   const std::vector<uint64_t> looks = TreeFaceLooks(*tile, level);

@@ -114,11 +114,11 @@ TEST(CutByAreaTest, SaysThatAPartLeftOutInsideAHoleIsFilled) {
   EXPECT_THAT(ring.left[0].reason, testing::HasSubstr("inside a hole: it is filled"));
 }
 
-TEST(CutByAreaTest, FillsWhatHasNoSurfaceUpToThePolygonAndTheRimOfTheCells) {
+TEST(CutByAreaTest, LeavesWhatMeetsNoSurface) {
   const Plan plan = PlanIn(PictureScene({"....", "....", "....", "...."}, 4), {Box(-3, -3, 2, 9)});
-  EXPECT_EQ(CountsOf(plan), "1 IIA");
-  EXPECT_LE(AreaOf(plan), 8);
-  ExpectSound(plan);
+  EXPECT_EQ(CountsOf(plan), "none");
+  ASSERT_THAT(plan.left, testing::SizeIs(1));
+  EXPECT_THAT(plan.left[0].reason, testing::HasSubstr("nothing tells its height"));
 }
 
 // Two tiles that end 0.25 m beyond their cells of 100 m, the western one with a hole.
