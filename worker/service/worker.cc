@@ -176,10 +176,12 @@ bool Worker::Pause(absl::Duration backoff) {
   const absl::Duration pause = backoff * absl::Uniform(random, 0.5, 1.0);
   std::unique_lock<std::mutex> lock(mutex_);
   const Mode before = mode_;
-  changed_.wait_for(lock, absl::ToChronoMilliseconds(pause),
-                    [&] { return mode_ != before || mode_ >= Mode::kStopping; });
-  if (mode_ == Mode::kDraining) return !held_.empty() || !finished_.empty();  // nothing to tell: no need to be released
-  return mode_ < Mode::kStopping;                                             // it would have told once, and could not
+  const auto is_over = [&] {
+    if (mode_ == Mode::kDraining) return held_.empty() && finished_.empty();  // nothing to tell: no need to be released
+    return mode_ >= Mode::kStopping;                                          // it would have told once, and could not
+  };
+  changed_.wait_for(lock, absl::ToChronoMilliseconds(pause), [&] { return mode_ != before || is_over(); });
+  return !is_over();
 }
 
 v1::SyncRequest Worker::NextRequest() {
