@@ -276,7 +276,8 @@ TEST_F(ClearRunTest, APolygonOverNoSurfaceIsAWarning) {
   const std::string polygons = folder_.Write("water.geojson", FeatureOf(beyond, R"({"name": "pond", "clear": true})"));
   const Json report = Run("out", polygons);
   EXPECT_EQ(report["cleared"]["triangles"], 0);
-  EXPECT_THAT(report["warnings"].dump(), HasSubstr("(pond): nothing was taken out: it has no level, because no triangle"));
+  EXPECT_THAT(report["warnings"].dump(),
+              HasSubstr("(pond): nothing was taken out: it has no level, because no triangle"));
   EXPECT_EQ(FilesBelow(folder_ / "out")["tiles/left.obj"], FilesBelow(folder_ / "scene")["tiles/left.obj"]);
 }
 
