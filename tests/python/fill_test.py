@@ -20,6 +20,7 @@ BIN, PACKAGE = sys.argv[1:3] if len(sys.argv) > 2 else (None, None)
 sys.path.insert(0, PACKAGE)
 import tilemend  # noqa: E402
 from meshes import plane, ply_bytes, sphere  # noqa: E402
+from optional_modules import need  # noqa: E402
 
 MESHES = {'sphere': sphere, 'plane': plane}
 
@@ -337,14 +338,6 @@ class LongWorkTest(unittest.TestCase):
         for thread in threads:
             thread.join()
         self.assertEqual(results, [expected] * 4)
-
-
-def need(test, name):
-    try:
-        return __import__(name)
-    except ImportError:
-        print(f'SKIPPED: {test.id().rsplit(".", 1)[1]}: there is no {name}')
-        test.skipTest(f'there is no {name}')
 
 
 class AdapterTest(unittest.TestCase):

@@ -10,16 +10,9 @@ import unittest
 PACKAGE = sys.argv[2] if len(sys.argv) > 2 else None
 sys.path.insert(0, PACKAGE)
 import tilemend  # noqa: E402
+from optional_modules import need  # noqa: E402
 
 EMPTY = dict.fromkeys(('per_hole', 'left', 'warnings', 'water', 'look_at'), [])
-
-
-def need(test, name):
-    try:
-        return __import__(name)
-    except ImportError:
-        print(f'SKIPPED: {test.id().rsplit(".", 1)[1]}: there is no {name}')
-        test.skipTest(f'there is no {name}')
 
 
 class ReportTest(unittest.TestCase):
