@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "absl/strings/str_cat.h"
 #include "client/acceptance.h"
 #include "client/acceptance_text.h"
 #include "client/commands.h"
@@ -11,6 +12,7 @@
 #include "client/output_file.h"
 #include "common/util/exit_codes.h"
 #include "common/util/files.h"
+#include "common/util/text.h"
 
 namespace tilemend {
 
@@ -20,7 +22,10 @@ namespace {
 absl::Status CheckCsv(const std::string& path) {
   if (path.empty()) return absl::OkStatus();
   const auto text = ReadFileUpTo(path, int64_t{1} << 30);
-  return CheckOutputFile(path, text.ok() && text->starts_with(AcceptanceCsvHead()));
+  const absl::Status status = CheckOutputFile(path, text.ok() && text->starts_with(AcceptanceCsvHead()));
+  if (!absl::IsAlreadyExists(status)) return status;
+  return absl::AlreadyExistsError(
+      absl::StrCat(Printable(path), ": exists already, and is no list of `tilemend check`; choose another --csv"));
 }
 
 }  // namespace

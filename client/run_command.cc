@@ -23,6 +23,7 @@
 #include "common/rpc/status_proto.h"
 #include "common/util/error_info.h"
 #include "common/util/files.h"
+#include "common/util/folders.h"
 #include "common/util/heap.h"
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
@@ -140,6 +141,13 @@ bool LeftUnfinished(const v1::Job& job) {
   return wrote && IsUnfinished(job.spec().out());
 }
 
+// Whether the job found a complete output without the page, as if the program that made it was killed just then.
+bool LacksPage(const v1::Job& job) {
+  if (ErrorReason(StatusFromProto(job.error())) != "OUTPUT_EXISTS") return false;
+  return KindOf(job.spec().out() + "/report.json") == PathKind::kFile &&
+         KindOf(job.spec().out() + "/report.html") == PathKind::kNothing;
+}
+
 // The path of the page, which it writes beside a new report; "" without one. Without it the output is complete.
 std::string WritePage(const v1::Job& job) {
   if (job.report().empty()) return "";
@@ -189,6 +197,11 @@ int RunCommand(const Args& args) {
                  Printable(spec->out()).c_str());
   }
   const std::string page = WritePage(*job);
+  if (LacksPage(*job)) {
+    const std::string out = Printable(spec->out());
+    std::fprintf(stderr, "tilemend: %s has no report.html; `tilemend report %s --html` writes it\n", out.c_str(),
+                 out.c_str());
+  }
   // A job that failed before its first phase has nothing more to tell.
   const bool only_error = job->state() == v1::FAILED && job->progress().phase().empty();
   if (!only_error || *format == OutputFormat::kJson) PrintEnd(*job, *format, is_brief, page);

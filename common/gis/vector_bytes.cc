@@ -13,6 +13,7 @@
 #include "common/gis/gdal_limits.h"
 #include "common/util/files.h"
 #include "common/util/status_macros.h"
+#include "common/util/text.h"
 
 namespace tilemend {
 namespace {
@@ -77,6 +78,9 @@ absl::Status AddSideFiles(const std::filesystem::path& path, const Family& famil
 }  // namespace
 
 absl::StatusOr<VectorBytes> ReadAreaFile(const std::string& path) {
+  if (path.find('\0') != std::string::npos) {
+    return absl::InvalidArgumentError(absl::StrCat(Printable(path), ": is no path: it has a NUL"));
+  }
   if (path.find("://") != std::string::npos) {
     return absl::InvalidArgumentError(absl::StrCat(path, ": a URL; download the file first"));
   }

@@ -17,6 +17,8 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_split.h"
+#include "absl/strings/string_view.h"
 #include "common/http/timed_connection.h"
 #include "common/http/waiting_room.h"
 
@@ -192,7 +194,12 @@ bool ReadsBody(const std::string& method) {
 
 // Before the body comes: the library would read one that it refuses, and a thread wait for it.
 bool RefuseByHead(const httplib::Request& request, size_t most_bytes, httplib::Response& response) {
-  if (request.has_header("Transfer-Encoding") || (ReadsBody(request.method) && !request.has_header("Content-Length"))) {
+  const auto comes_twice = [&](const char* name) { return request.get_header_value_count(name) > 1; };
+  if (comes_twice("Content-Length") || comes_twice("Host")) {  // RFC 9112, 3.2 and 6.3
+    response.status = 400;
+    response.body = "Host and Content-Length may each come once\n";
+  } else if (request.has_header("Transfer-Encoding") ||
+             (ReadsBody(request.method) && !request.has_header("Content-Length"))) {
     response.status = 411;
     response.body = "a body needs its length before it (Content-Length)\n";
   } else if (request.get_header_value<uint64_t>("Content-Length") > most_bytes) {
@@ -215,6 +222,17 @@ void AllowAddressAgain(int socket) {
 std::string HttpRequest::Header(const std::string& name) const {
   const auto found = headers.find(name);
   return found == headers.end() ? "" : found->second;
+}
+
+bool HttpRequest::HasTag(std::string_view tag) const {
+  const std::string header = Header("if-none-match");
+  for (const absl::string_view entry : absl::StrSplit(header, ',')) {
+    const absl::string_view trimmed = absl::StripAsciiWhitespace(entry);
+    std::string_view known(trimmed.data(), trimmed.size());
+    if (known.starts_with("W/")) known.remove_prefix(2);
+    if (known == tag || known == "*") return true;
+  }
+  return false;
 }
 
 struct HttpServer::Impl {
@@ -249,8 +267,14 @@ bool HttpServer::Impl::Listen(const std::string& host, int wanted_port, size_t r
     return RefuseByHead(request, request_body_bytes, response) ? httplib::Server::HandlerResponse::Handled
                                                                : httplib::Server::HandlerResponse::Unhandled;
   });
-  // A caller that waits for leave to send its body would hold a thread.
-  server->set_expect_100_continue_handler([](const httplib::Request&, httplib::Response&) { return 417; });
+  // A caller that waits for leave to send its body would hold a thread. The library goes on with the request if the
+  // result is 417.
+  server->set_expect_100_continue_handler([](const httplib::Request&, httplib::Response& response) {
+    response.status = 417;
+    response.body = "send the body without waiting for 100 Continue\n";
+    response.set_header("Content-Type", "text/plain; charset=utf-8");
+    return 0;
+  });
   server->set_socket_options(AllowAddressAgain);
   const auto answer = [this](const httplib::Request& request, httplib::Response& response) {
     Answer(request, response);

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct HttpRequest {
 
   // "" if there is none. `name` is in lower case.
   std::string Header(const std::string& name) const;
+  // Whether the caller has the answer with this entity tag: If-None-Match, compared weakly (RFC 9110, 13.1.2).
+  bool HasTag(std::string_view tag) const;
 };
 
 struct HttpAnswer {

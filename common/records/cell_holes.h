@@ -104,6 +104,9 @@ struct HolePatch {
   int32_t creases = 0;                   // of a published patch: edges at which it turns by more than 120 degrees
   int32_t loop_cuts = 0;                 // of `wang`: how often its boundary was cut to be triangulated (WangOptions)
   bool rim_is_crossed = false;           // the surface passes through the boundary, and so through any patch
+  // Of patches over the ground that were tested for it: triangles that cross others of the patch, or surface that does
+  // not pass through the boundary.
+  int32_t crossings = 0;
 };
 
 // A new height of a new point of a cell's patches; their new points are numbered through from the first patch on.

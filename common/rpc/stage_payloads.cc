@@ -331,6 +331,7 @@ v1::FillOutput ToProto(const std::vector<HolePatch>& patches, const std::vector<
     extent->set_way(static_cast<v1::FillWay>(patch.way));
     extent->set_loop_cuts(patch.loop_cuts);
     extent->set_creases(patch.creases);
+    extent->set_crossings(patch.crossings);
     extent->set_rim_is_crossed(patch.rim_is_crossed);
     extent->set_new_points(static_cast<int64_t>(patch.new_points.size()));
     extent->set_triangles(static_cast<int64_t>(patch.triangles.size()));
@@ -377,7 +378,7 @@ absl::Status CheckPatchCounts(const v1::FillOutput& proto, size_t vertex_count, 
 absl::StatusOr<HolePatch> PatchFrom(const v1::PatchExtent& extent, const TriMesh& mesh, size_t vertex_count,
                                     int64_t point, int64_t triangle) {
   HolePatch patch{.hole = extent.hole(), .failure = extent.failure(), .way = static_cast<FillWay>(extent.way())};
-  patch.loop_cuts = extent.loop_cuts(), patch.creases = extent.creases();
+  patch.loop_cuts = extent.loop_cuts(), patch.creases = extent.creases(), patch.crossings = extent.crossings();
   patch.rim_is_crossed = extent.rim_is_crossed();
   if (extent.has_hold_out()) {
     TILEMEND_ASSIGN_OR_RETURN(patch.hold_out, FromProto(extent.hold_out()));

@@ -1,5 +1,7 @@
 #include "common/util/real_path.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <string>
 #include <system_error>
@@ -29,6 +31,12 @@ bool TakesThePlaceOf(const fs::path& from, const fs::path& to) {
   const fs::path place = RealPlace(to);
   if (IsObjectPath(to.string()) != IsObjectPath(from.string())) return false;
   return place == RealPath(from) || place == RealPlace(from);
+}
+
+std::optional<FileId> IdOf(const fs::path& path) {
+  struct stat info {};
+  if (IsObjectPath(path.string()) || ::stat(path.c_str(), &info) != 0) return std::nullopt;
+  return FileId(info.st_dev, info.st_ino);
 }
 
 bool IsBelow(const fs::path& folder, const fs::path& path) {

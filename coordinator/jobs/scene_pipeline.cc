@@ -379,7 +379,7 @@ class ScenePipeline : public JobPipeline {
     if (const int64_t others = output_->TidyUp(); others > 0) {
       absl::StrAppend(
           &outcome.message, "; ", others,
-          others == 1 ? " other file in the folder left as it was" : " other files in the folder left as they were");
+          others == 1 ? " other in the folder left as it was" : " others in the folder left as they were");
     }
     const std::string folder = output_->path() + "/";
     TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(folder + "holes.geojson", HolesGeoJson(report, scene)));

@@ -70,11 +70,13 @@ absl::StatusOr<CellPatches> PatchesOf(const v1::FillOutput& output, const std::v
     patch.triangles = extent.triangles();
     if (!v1::FillWay_IsValid(extent.way())) return absl::InvalidArgumentError("an unknown way of filling");
     patch.way = static_cast<FillWay>(extent.way());
-    if (extent.loop_cuts() < 0 || extent.creases() < 0 || extent.creases() / 3 > extent.triangles()) {
+    if (extent.loop_cuts() < 0 || extent.creases() < 0 || extent.creases() / 3 > extent.triangles() ||
+        extent.crossings() < 0 || extent.crossings() > extent.triangles()) {
       return absl::InvalidArgumentError("counts that no patch has");
     }
     patch.loop_cuts = extent.loop_cuts();
     patch.creases = extent.creases();
+    patch.crossings = extent.crossings();
     patch.rim_is_crossed = extent.rim_is_crossed();
     if (extent.has_hold_out()) {
       TILEMEND_ASSIGN_OR_RETURN(patch.hold_out, FromProto(extent.hold_out()));

@@ -141,7 +141,7 @@ class CellHolesBuilder {
     if (beside != heights_.ground.end()) return GoingOn(beside->second, p.follows, p.position);
     const auto height = heights_.height.find(p.follows);
     const auto slope = heights_.slope.find(p.follows);
-    if (height == heights_.height.end() || slope == heights_.slope.end()) return std::nullopt;
+    if (height == heights_.height.end() || slope == heights_.slope.end()) return plan_.vertices[p.follows].ground;
     return GoingOn({height->second, slope->second.slope}, p.follows, p.position);
   }
 
@@ -155,6 +155,7 @@ class CellHolesBuilder {
     const PlanVertex& p = plan_.vertices[plan_vertex];
     const int32_t source = p.follows >= 0 ? p.follows : plan_vertex;
     const PlanVertex& s = plan_.vertices[source];
+    if (p.on_neighbour && p.on_object) return s.position.z();
     if (const auto own = heights_.height.find(plan_vertex); own != heights_.height.end()) return own->second;
     if (const auto ground = heights_.ground.find({cluster, source}); ground != heights_.ground.end()) {
       return RoundedToLattice(GoingOn(ground->second, source, p.position), plan_.lattice_step);

@@ -112,6 +112,7 @@ Json HoleRow(const SceneReportInput& input, int32_t h, const std::vector<Reviewe
     if (size->second.loop_cuts > 0) row["loop_cuts"] = size->second.loop_cuts;
     if (size->second.creases > 0) row["creases"] = size->second.creases;
     if (size->second.rim_is_crossed) row["rim_crossed"] = true;
+    if (size->second.crossings > 0) row["crossings"] = size->second.crossings;
     row["new_vertices"] = size->second.new_vertices;
     row["triangles"] = size->second.triangles;
     if (!input.plan->colours.empty()) {
@@ -354,30 +355,48 @@ const char* BorderName(BorderKind kind) {
   }
 }
 
+// "N <what>: holes A, B and others (field)": holes by number. None if there are no holes.
+std::optional<std::string> WarningOfHoles(std::vector<int32_t> holes, const char* one, const char* many,
+                                          const char* field) {
+  if (holes.empty()) return std::nullopt;
+  const size_t all = holes.size();
+  holes.resize(std::min(all, kMostNamed));
+  return absl::StrCat(all, all == 1 ? one : many, all == 1 ? ": hole " : ": holes ", absl::StrJoin(holes, ", "),
+                      all > holes.size() ? " and others (" : " (", field, ")");
+}
+
+// What `tilemend check` will find fault with.
+void AddCrossingWarnings(const SceneOutcome& outcome, std::vector<std::string>& warnings) {
+  std::vector<int32_t> by_rim, others;
+  for (const auto& [hole, size] : outcome.sizes) {
+    if (size.rim_is_crossed) by_rim.push_back(hole);
+    if (size.crossings > 0) others.push_back(hole);
+  }
+  for (const auto& warning :
+       {WarningOfHoles(std::move(by_rim), " patch crosses the surface, which passes through the boundary there",
+                       " patches cross the surface, which passes through the boundary there", "rim_crossed"),
+        WarningOfHoles(
+            std::move(others), " patch crosses itself or the surface beside it; `tilemend check` lists where",
+            " patches cross themselves or the surface beside them; `tilemend check` lists where", "crossings")}) {
+    if (warning) warnings.push_back(*warning);
+  }
+}
+
 std::vector<std::string> WarningsOf(const SceneReportInput& input) {
   std::vector<std::string> warnings = input.warnings;
   for (std::string& warning : PlanWarnings(*input.plan)) warnings.push_back(std::move(warning));
   for (std::string& warning : ClearedWarnings(input.outcome.cleared)) warnings.push_back(std::move(warning));
   for (std::string& warning : ImpairedWarnings(input.outcome)) warnings.push_back(std::move(warning));
   int64_t holes = 0, edges = 0;
-  std::vector<int32_t> crossed;
   for (const auto& [hole, size] : input.outcome.sizes) {
     holes += size.creases > 0 ? 1 : 0;
     edges += size.creases;
-    if (size.rim_is_crossed) crossed.push_back(hole);
   }
   if (holes > 0) {
     const char* fold = holes == 1 ? "patch folds" : "patches fold";
     warnings.push_back(absl::StrFormat("%d %s back, at %d edges (creases)", holes, fold, edges));
   }
-  if (!crossed.empty()) {
-    const size_t all = crossed.size();
-    crossed.resize(std::min(all, kMostNamed));
-    warnings.push_back(absl::StrFormat("%d %s the surface, which passes through the boundary there: %s %s%s", all,
-                                       all == 1 ? "patch crosses" : "patches cross", all == 1 ? "hole" : "holes",
-                                       absl::StrJoin(crossed, ", "),
-                                       all > crossed.size() ? " and others (rim_crossed)" : " (rim_crossed)"));
-  }
+  AddCrossingWarnings(input.outcome, warnings);
   return warnings;
 }
 

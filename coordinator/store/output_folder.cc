@@ -37,18 +37,35 @@ std::set<std::string> FoldersOf(const std::set<std::string>& files) {
   return folders;
 }
 
+// A folder without the links on its path and, if it is there, its number. Two mounts of one folder have two paths.
+class FolderSet {
+ public:
+  void Insert(const fs::path& folder) {
+    paths_.insert(RealPath(folder));
+    if (const auto id = IdOf(folder)) ids_.insert(*id);
+  }
+  bool Contains(const fs::path& real) const {
+    if (paths_.contains(real)) return true;
+    const auto id = IdOf(real);
+    return id && ids_.contains(*id);
+  }
+
+ private:
+  std::set<fs::path> paths_;
+  std::set<FileId> ids_;
+};
+
 std::set<fs::path> RealFolders(const fs::path& root, const std::set<std::string>& relative) {
   std::set<fs::path> folders;
   for (const std::string& folder : relative) folders.insert(RealPath(folder.empty() ? root : root / folder));
   return folders;
 }
 
-// Whether `path` or a folder that it lies in is one of `folders`. All are real.
-bool IsInOneOf(const std::set<fs::path>& folders, const fs::path& path) {
-  for (fs::path at = path;; at = at.parent_path()) {
-    if (folders.contains(at)) return true;
-    if (!at.has_relative_path()) return false;
-  }
+// The path and the folders that it lies in. It is real.
+std::set<fs::path> WithFoldersAbove(const fs::path& path) {
+  std::set<fs::path> all = {path};
+  for (fs::path at = path; at.has_relative_path(); at = at.parent_path()) all.insert(at.parent_path());
+  return all;
 }
 
 // Whether nothing of the output would lie among the scene's files.
@@ -58,14 +75,19 @@ absl::Status CheckApart(const std::string& path, const Scene& scene, const std::
   for (const SceneTile& tile : scene.tiles) {
     if (!tile.path.empty()) inputs.insert(tile.path);
   }
-  std::set<fs::path> sources = RealFolders(scene.root, FoldersOf(inputs));
-  sources.erase(root);  // beside tiles that lie in the scene's folder itself, a folder of its own does no harm
-  std::set<fs::path> targets = RealFolders(path, FoldersOf(files));
+  FolderSet sources, scene_folder;
+  scene_folder.Insert(root);
+  for (const std::string& folder : FoldersOf(inputs)) {
+    // Beside tiles that lie in the scene's folder itself, a folder of its own does no harm.
+    if (!scene_folder.Contains(RealPath(root / folder))) sources.Insert(root / folder);
+  }
+  std::set<fs::path> targets = RealFolders(path, FoldersOf(files)), above;
   targets.insert(RealPath(path));
-  for (const fs::path& target : targets) {
-    if (target != root && !IsInOneOf(sources, target)) continue;
+  for (const fs::path& target : targets) above.merge(WithFoldersAbove(target));
+  for (const fs::path& folder : above) {
+    if (!sources.Contains(folder) && !(targets.contains(folder) && scene_folder.Contains(folder))) continue;
     return absl::InvalidArgumentError(absl::StrCat(path, ": the output would lie among the tiles of the scene, in ",
-                                                   target.string(),
+                                                   folder.string(),
                                                    "; choose another --out, apart from the scene's folders of tiles"));
   }
   return absl::OkStatus();
@@ -182,22 +204,17 @@ absl::StatusOr<std::vector<std::string>> MakeFolders(const std::string& path) {
   return made;
 }
 
-// What is no folder in `folder` of `root` and below, relative to `root`, but for files of attempts. Links are not
-// followed.
-std::vector<std::string> FilesBelow(const std::string& root, const std::string& folder) {
-  std::vector<std::string> files;
-  const auto names = ListFolder(absl::StrCat(root, "/", folder));
-  for (const std::string& name : names.ok() ? *names : std::vector<std::string>()) {
-    if (name == kAttemptFolder) continue;
-    const std::string file = folder.empty() ? name : absl::StrCat(folder, "/", name);
-    const auto look = LookAt(absl::StrCat(root, "/", file), Links::kKeep);
-    if (look.ok() && look->kind == PathKind::kFolder) {
-      for (std::string& below : FilesBelow(root, file)) files.push_back(std::move(below));
-    } else {
-      files.push_back(file);
+// What is in `folders` of `root`, relative to `root`, but for these folders and that of attempts.
+std::vector<std::string> EntriesOf(const std::string& root, const std::set<std::string>& folders) {
+  std::vector<std::string> entries;
+  for (const std::string& folder : folders) {
+    const auto names = ListFolder(absl::StrCat(root, "/", folder));
+    for (const std::string& name : names.ok() ? *names : std::vector<std::string>()) {
+      std::string entry = folder.empty() ? name : absl::StrCat(folder, "/", name);
+      if (name != kAttemptFolder && !folders.contains(entry)) entries.push_back(std::move(entry));
     }
   }
-  return files;
+  return entries;
 }
 
 // Whether the file of an attempt, at `written`, is the one at `path`.
@@ -371,8 +388,10 @@ absl::Status OutputFolder::SeeAll(const std::function<bool()>& ends) const {
 }
 
 int64_t OutputFolder::TidyUp() {
+  std::set<std::string> folders = {""};
+  for (const auto& [file, placed] : files_) folders.merge(FoldersOf({file}));
   int64_t others = 0;
-  for (const std::string& file : FilesBelow(path_, "")) {
+  for (const std::string& file : EntriesOf(path_, folders)) {
     if (file == kJobMarker || file.starts_with(kResultLog) || files_.contains(file)) continue;
     const size_t suffix = file.rfind(kPartSuffix);
     if (suffix != std::string::npos && files_.contains(file.substr(0, suffix))) {

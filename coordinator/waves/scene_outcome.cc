@@ -15,6 +15,7 @@ void AddSize(const PatchExtent& patch, SceneOutcome& outcome) {
   size.way = patch.way;
   size.loop_cuts += patch.loop_cuts;
   size.creases += patch.creases;
+  size.crossings += patch.crossings;
   size.rim_is_crossed |= patch.rim_is_crossed;
 }
 

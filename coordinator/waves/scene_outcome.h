@@ -22,8 +22,8 @@ struct PatchSize {
   int64_t new_vertices = 0;
   int64_t triangles = 0;
   FillWay way = FillWay::kNone;
-  int32_t loop_cuts = 0, creases = 0;  // as HolePatch
-  bool rim_is_crossed = false;         // as HolePatch
+  int32_t loop_cuts = 0, creases = 0, crossings = 0;  // as HolePatch
+  bool rim_is_crossed = false;                        // as HolePatch
 };
 
 // By hole or cluster of the plan.

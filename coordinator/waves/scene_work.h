@@ -123,8 +123,8 @@ struct PatchExtent {
   int64_t triangles = 0;
   std::optional<HoldOut> hold_out = {};  // where the tension was chosen for this hole alone
   FillWay way = FillWay::kNone;
-  int32_t loop_cuts = 0, creases = 0;  // as HolePatch
-  bool rim_is_crossed = false;         // as HolePatch
+  int32_t loop_cuts = 0, creases = 0, crossings = 0;  // as HolePatch
+  bool rim_is_crossed = false;                        // as HolePatch
 };
 
 struct CellPatches {

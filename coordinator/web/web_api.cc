@@ -135,7 +135,7 @@ void AddTag(const HttpRequest& request, HttpAnswer& answer) {
   const std::string tag = absl::StrCat("\"", Sha256Hex(answer.body).substr(0, 32), "\"");
   answer.headers.emplace_back("ETag", tag);
   answer.headers.emplace_back("Cache-Control", "private, no-cache");
-  if (request.Header("if-none-match") == tag) answer.status = 304;
+  if (request.HasTag(tag)) answer.status = 304;
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ HttpAnswer AssetAnswer(const HttpRequest& request, const char* type, std::string
   answer.type = type;
   const std::string tag = absl::StrCat("\"", Sha256Hex(bytes).substr(0, 32), "\"");
   answer.headers = {{"ETag", tag}, {"Cache-Control", "no-cache"}};
-  if (request.Header("if-none-match") == tag) {
+  if (request.HasTag(tag)) {
     answer.status = 304;
     return answer;
   }

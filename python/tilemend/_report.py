@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import json
 import os
+import stat
 from dataclasses import dataclass
 from typing import Any, Dict, List, Mapping, Optional
 
@@ -157,8 +158,7 @@ def read_report(path: Path) -> Report:
     if os.path.isdir(name):
         name = os.path.join(name, 'report.json')
     try:
-        with open(name, encoding='utf-8') as file:
-            data = json.load(file)
+        data = json.loads(_text_of(name))
     except FileNotFoundError:
         raise NotFound(_what_is_missing(name, os.fsdecode(path))) from None
     except PermissionError:
@@ -171,6 +171,15 @@ def read_report(path: Path) -> Report:
     if missing:
         raise InvalidInput(f'{name}: is no report of tilemend: {missing}')
     return Report(name, data)
+
+
+def _text_of(name: str) -> str:
+    """Of a regular file. A pipe would have the reader wait, and a device may have no end."""
+    descriptor = os.open(name, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
+    with open(descriptor, encoding='utf-8') as file:
+        if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+            raise InvalidInput(f'{name}: is no regular file')
+        return file.read()
 
 
 def _what_is_missing(name: str, given: str) -> str:

@@ -46,6 +46,13 @@ class ReportTest(unittest.TestCase):
             with self.assertRaisesRegex(tilemend.InvalidInput, fault):
                 tilemend.read_report(path)
 
+    def test_pipes_and_devices_are_refused_at_once(self):
+        pipe = os.path.join(self.folder, 'pipe.json')
+        os.mkfifo(pipe)
+        for path in (pipe, '/dev/zero'):
+            with self.assertRaisesRegex(tilemend.InvalidInput, 'is no regular file'):
+                tilemend.read_report(path)
+
     def test_reads_a_report_without_newer_lists(self):
         self.write('report.json', dict(EMPTY, warnings=['w']))
         report = tilemend.read_report(self.folder)

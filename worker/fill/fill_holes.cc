@@ -129,9 +129,11 @@ class HoleFiller {
     if (best_ && !(rank < best_rank_)) return;
     best_rank_ = rank;
     const bool is_bare = patch.is_bare;
+    const int32_t crossings = patch.crossings;
     const int32_t creases = IsAsPublished(way) ? CountCreases(hole_, patch) : 0;
     best_ = ToHolePatch(hole_, std::move(patch));
     best_->creases = creases;
+    best_->crossings = crossings;
     best_->way = is_bare ? FillWay::kBare : way;
   }
 

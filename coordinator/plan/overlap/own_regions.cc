@@ -29,6 +29,7 @@ struct LineVertex {
   double place = 0;
   int32_t vertex = 0;
   std::vector<Side> sides;
+  bool on_rim = false;  // the neighbour's surface bounds the hole there
 };
 
 // Seen from above.
@@ -72,16 +73,18 @@ class OutlineVertices {
   OutlineVertices(CellId cell, const Outline& outline, Plan& plan) : cell_(cell), outline_(outline), plan_(plan) {}
 
   // Level with one on a grid line, or two; always the same one.
-  int32_t Beside(int32_t source, const std::vector<Side>& sides) {
-    const auto [it, fresh] = beside_.try_emplace(source, 0);
+  int32_t Beside(const LineVertex& line) {
+    const auto [it, fresh] = beside_.try_emplace(line.vertex, 0);
     if (!fresh) return it->second;
-    Point3 position = plan_.vertices[source].position;
+    Point3 position = plan_.vertices[line.vertex].position;
     uint8_t lines = 0;
-    for (const Side s : sides) {
+    for (const Side s : line.sides) {
       position[AxisOf(s)] = outline_.side[s];
       lines |= LineOf(s);
     }
-    return it->second = Add(source, position, lines);
+    it->second = Add(line.vertex, position, lines);
+    plan_.vertices[it->second].on_neighbour = line.on_rim;
+    return it->second;
   }
 
   int32_t AtCorner(int corner, int32_t source) {
@@ -229,7 +232,8 @@ class CellRegions {
       for (const int32_t v : {s.from, s.to}) {
         const std::vector<Side> sides = SidesOf(v);
         if (sides.empty() || own_vertex_.contains(v)) continue;
-        found[v] = {PlaceOf(v, sides), v, sides};
+        LineVertex& at = found[v];
+        at = {PlaceOf(v, sides), v, sides, at.on_rim || (!s.seam && RunsAlongLine(s))};
       }
     }
     std::vector<LineVertex> line;
@@ -238,6 +242,12 @@ class CellRegions {
       return std::pair(a.place, a.vertex) < std::pair(b.place, b.vertex);
     });
     return line;
+  }
+
+  // Whether both ends lie on one grid line.
+  bool RunsAlongLine(const RimSegment& s) const {
+    const std::vector<Side> from = SidesOf(s.from), to = SidesOf(s.to);
+    return std::ranges::any_of(from, [&](Side side) { return std::ranges::find(to, side) != to.end(); });
   }
 
   std::vector<Side> SidesOf(int32_t v) const {
@@ -351,7 +361,7 @@ class CellRegions {
       const double before = kClearance * std::min(plan_.vertices[PlanVertexOf(gap.to)].size, size);
       const bool inside =
           corner ? place > gap.begin && place < gap.end : place > gap.begin + after && place < gap.end - before;
-      if (inside) between.emplace(place, new_.Beside(v.vertex, v.sides));
+      if (inside) between.emplace(place, new_.Beside(v));
     }
     for (int c = 0; c < 8; ++c) {
       const double place = outline_.CornerPlace(c % 4) + (c >= 4 ? length : 0);
@@ -371,7 +381,7 @@ class CellRegions {
 
   void AddRing(const std::vector<LineVertex>& line, std::vector<RimSegment>& region) {
     std::map<double, int32_t> ring;
-    for (const LineVertex& v : line) ring.emplace(v.place, new_.Beside(v.vertex, v.sides));
+    for (const LineVertex& v : line) ring.emplace(v.place, new_.Beside(v));
     for (int c = 0; c < 4; ++c) {
       const double place = outline_.CornerPlace(c);
       if (!ring.contains(place)) ring.emplace(place, new_.AtCorner(c, Nearest(place, line)));

@@ -34,8 +34,13 @@ class FootLayer {
   }
 
  private:
-  bool IsWall(int32_t v) const { return plan_.vertices[v].index >= 0 && plan_.vertices[v].on_object; }
-  bool IsOnOutline(int32_t v) const { return plan_.vertices[v].index < 0 && plan_.vertices[v].follows >= 0; }
+  bool IsWall(int32_t v) const {
+    const PlanVertex& vertex = plan_.vertices[v];
+    return vertex.on_object && (vertex.index >= 0 || vertex.on_neighbour);
+  }
+  bool IsOnOutline(int32_t v) const {
+    return plan_.vertices[v].index < 0 && plan_.vertices[v].follows >= 0 && !IsWall(v);
+  }
 
   // For a foot between the ends. Where one is a hair beside the other or above it there is none; nor is there on the
   // edge of an area, which needs not run along an axis.
@@ -60,9 +65,17 @@ class FootLayer {
   Plan& plan_;
 };
 
+// Where a neighbour's surface passes high above the fill, or below it, a wall stands on the outline, up to it.
+void RaiseToNeighbours(Plan& plan) {
+  for (PlanVertex& v : plan.vertices) {
+    if (v.on_neighbour) v.on_object = plan.vertices[v.follows].on_object;
+  }
+}
+
 }  // namespace
 
 void LayWallFeet(Plan& plan) {
+  RaiseToNeighbours(plan);
   FootLayer feet(plan);
   for (PlannedHole& hole : plan.holes) {
     for (std::vector<RimSegment>& region : hole.own_regions) region = feet.WithFeet(region);

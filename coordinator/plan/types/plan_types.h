@@ -129,6 +129,8 @@ struct PlanVertex {
   // Of a vertex on a tile's own outline: the vertex on the grid line beside it. It takes the cluster's surface from
   // there; an original one only its Laplacian.
   int32_t follows = -1;
+  // Of such a new vertex: the neighbour has surface there. Where that is an object, a wall goes up to it.
+  bool on_neighbour = false;
   bool on_ground = false;            // of an original vertex: the ground filter says so
   bool on_object = false;            // of an original vertex: it stands on a tree, a house, a wall (mark_objects.h)
   std::optional<float> ground = {};  // of such a vertex: the height of the ground there, metres, where it is known

@@ -36,6 +36,7 @@ TEST(ReadAreaFileTest, AFileWithALogIsRefused) {
 TEST(ReadAreaFileTest, WhatIsNoFileIsRefused) {
   const TemporaryFolder folder;
   EXPECT_THAT(std::string(ReadAreaFile("https://example.com/lakes.zip").status().message()), HasSubstr("a URL"));
+  EXPECT_THAT(std::string(ReadAreaFile(std::string("a.json\0b", 8)).status().message()), HasSubstr("a NUL"));
   EXPECT_TRUE(absl::IsInvalidArgument(ReadAreaFile(folder / ".").status()));
   for (const char* path : {"/vsicurl/https.shp", "/vsimem/a.shp", "/vsistdin/"})
     EXPECT_TRUE(absl::IsNotFound(ReadAreaFile(path).status())) << path;

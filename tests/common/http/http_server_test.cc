@@ -103,10 +103,41 @@ TEST(HttpServerTest, RefusesABodyByItsHead) {
   EXPECT_EQ(answer("\r\nContent-Length: 4097"), "HTTP/1.1 413");
   EXPECT_EQ(answer("\r\nTransfer-Encoding: chunked"), "HTTP/1.1 411");
   EXPECT_EQ(answer("\r\nContent-Length: 0\r\nExpect: 100-continue"), "HTTP/1.1 417");
+  EXPECT_EQ(answer("\r\nContent-Length: 0\r\nContent-Length: 40"), "HTTP/1.1 400");
+  EXPECT_EQ(answer("\r\nContent-Length: 0\r\nHost: y"), "HTTP/1.1 400");
   EXPECT_EQ(answer("\r\nContent-Length: 0"), "HTTP/1.1 200");
   for (const char* method : {"POST", "PUT", "PATCH", "DELETE", "PRI"}) {
     EXPECT_EQ(answer("", method), "HTTP/1.1 411") << method;
   }
+}
+
+TEST(HttpServerTest, DoesNothingForACallerThatWaitsToSendItsBody) {
+  std::atomic<int> calls = 0;
+  const auto server = Serve([&](const HttpRequest&) {
+    ++calls;
+    return HttpAnswer{};
+  });
+  const int fd = Connected(server->port());
+  const std::string head = "POST / HTTP/1.1\r\nHost: x\r\nContent-Length: 2\r\nExpect: 100-continue\r\n\r\nab";
+  ASSERT_EQ(write(fd, head.data(), head.size()), static_cast<ssize_t>(head.size()));
+  std::string answer;
+  std::array<char, 4096> part{};
+  for (ssize_t count = 0; (count = read(fd, part.data(), part.size())) > 0;)
+    answer.append(part.data(), static_cast<size_t>(count));
+  close(fd);
+  EXPECT_TRUE(answer.starts_with("HTTP/1.1 417")) << answer;
+  EXPECT_EQ(answer.find("HTTP/1.1", 1), std::string::npos) << "one answer: " << answer;
+  EXPECT_EQ(calls, 0);
+}
+
+TEST(HttpServerTest, KnowsATagHoweverItComes) {
+  const auto has = [](const std::string& header) {
+    HttpRequest request;
+    request.headers["if-none-match"] = header;
+    return request.HasTag("\"ab\"");
+  };
+  for (const char* header : {"\"ab\"", "W/\"ab\"", "\"x\", W/\"ab\"", "*"}) EXPECT_TRUE(has(header)) << header;
+  for (const char* header : {"", "\"abc\"", "ab", "W/", ","}) EXPECT_FALSE(has(header)) << header;
 }
 
 TEST(HttpServerTest, KeepsWhatAnAnswerHoldsUntilItIsSent) {

@@ -55,6 +55,10 @@ TEST(PatchesOfTest, RefusesAWayOfFillingThatItDoesNotKnow) {
   patch.set_rim_is_crossed(true);
   EXPECT_TRUE(PatchesOf(output, {4})->patches.front().rim_is_crossed);
   EXPECT_FALSE(PatchesOf(output, {}).ok()) << "a hole that was not asked for";
+  patch.set_crossings(9);
+  EXPECT_EQ(PatchesOf(output, {4})->patches.front().crossings, 9);
+  patch.set_crossings(10);
+  EXPECT_FALSE(PatchesOf(output, {4}).ok()) << "more than it has triangles";
 }
 
 TEST(PatchesOfTest, RefusesCountsThatNoPatchHas) {

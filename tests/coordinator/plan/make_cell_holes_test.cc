@@ -118,6 +118,30 @@ TEST(MakeCellHolesTest, GoesOnWithTheSlopeOfTheSurfaceOffTheGridLine) {
   EXPECT_EQ(height(), 8 + 1 - 1);
 }
 
+// Where a neighbour's object ends over the outline, the wall goes up to it, and its foot has the surface.
+TEST(MakeCellHolesTest, ReachesUpToTheNeighboursObject) {
+  Planned p;
+  const int32_t h = FirstOpenIn(p.plan, {0, 0});
+  PlannedHole& hole = p.plan.holes[h];
+  const int32_t source = hole.segments.front().from;
+  p.plan.vertices[source].position.z() = 12;
+  p.plan.vertices[source].ground = 3.0F;
+  PlanVertex beside = p.plan.vertices[source];
+  beside.index = -1;
+  beside.follows = source;
+  beside.on_neighbour = beside.on_object = true;
+  beside.ground.reset();
+  p.plan.vertices.push_back(beside);
+  const auto number = static_cast<int32_t>(p.plan.vertices.size()) - 1;
+  hole.own_regions = {{{number, source, true}, {source, number, true}}};
+  p.heights.height[number] = 2;  // of level water
+  const auto vertex = [&] { return MakeFillHoles(p.plan, p.input, p.heights, {h}).vertices[0]; };
+  EXPECT_EQ(vertex().position.z(), 12);
+  EXPECT_EQ(vertex().ground, 3);
+  p.heights.ground[{hole.cluster, source}] = {2.5, {0, 0}};
+  EXPECT_EQ(vertex().ground, 2.5);
+}
+
 TEST(MakeCellHolesTest, TakesTheBandAroundTheHolesFromAllTilesThere) {
   const Planned p;
   const int32_t h = FirstOpenIn(p.plan, {0, 0});

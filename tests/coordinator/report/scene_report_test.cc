@@ -223,6 +223,13 @@ TEST_F(SceneReportTest, WarnsOfPatchesThatCrossWhatPassesThroughTheirBoundary) {
       WarningsOf(input_),
       ElementsAre("1 patch crosses the surface, which passes through the boundary there: hole 0 (rim_crossed)"));
   EXPECT_EQ(Report()["per_hole"][0]["rim_crossed"], true);
+  EXPECT_FALSE(Report()["per_hole"][0].contains("crossings"));
+  input_.outcome.sizes[0].rim_is_crossed = false;
+  input_.outcome.sizes[0].crossings = 3;
+  EXPECT_THAT(WarningsOf(input_),
+              ElementsAre("1 patch crosses itself or the surface beside it; `tilemend check` lists where: hole 0 "
+                          "(crossings)"));
+  EXPECT_EQ(Report()["per_hole"][0]["crossings"], 3);
 }
 
 TEST_F(SceneReportTest, TextThatIsNotUtf8DoesNotBreakIt) {

@@ -2,10 +2,15 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/mount.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -119,7 +124,9 @@ TEST_F(OutputFolderTest, TidiesHalfWrittenFilesOfItsOwnAndCountsOthers) {
   folder_.Write("deep/out/tiles/a.ply" + std::string(kPartSuffix) + "1", "half");
   folder_.Write("deep/out/tiles/b.ply" + std::string(kPartSuffix) + "1", "of another program");
   folder_.Write("deep/out/notes.txt", "mine");
-  EXPECT_EQ(claimed->TidyUp(), 2);
+  folder_.Write("deep/out/more/a.txt", "mine");
+  folder_.Write("deep/out/more/b.txt", "mine");
+  EXPECT_EQ(claimed->TidyUp(), 3) << "a folder of others is not looked through";
   EXPECT_FALSE(Exists("deep/out/tiles/a.ply" + std::string(kPartSuffix) + "1"));
   EXPECT_TRUE(Exists("deep/out/tiles/a.ply"));
   EXPECT_TRUE(Exists("deep/out/notes.txt"));
@@ -136,6 +143,31 @@ TEST_F(OutputFolderTest, NeverWritesAmongTheTilesOfTheScene) {
   fs::create_directory_symlink(folder_ / "scene/tiles", folder_ / "links/tiles");
   EXPECT_TRUE(absl::IsInvalidArgument(Claim(folder_ / "links", true).status())) << "tiles lead there over a link";
   EXPECT_TRUE(Claim(folder_ / "scene/out").ok()) << "a folder of its own beside the tiles' folder";
+}
+
+// In a mount namespace of its own, by a process of its own. 0: refused for its place; 1: it is not; 2: it cannot mount.
+int ClaimOverASecondMount(const std::string& scene, const std::string& mount,
+                          const std::function<absl::Status()>& claim) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const bool mounted = unshare(CLONE_NEWNS) == 0 &&
+                         ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
+                         ::mount(scene.c_str(), mount.c_str(), nullptr, MS_BIND, nullptr) == 0;
+    _exit(!mounted ? 2 : absl::IsInvalidArgument(claim()) ? 0 : 1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST_F(OutputFolderTest, NeverWritesAmongTheTilesOverASecondMount) {
+  fs::create_directory(folder_ / "mount");
+  for (const char* path : {"mount", "mount/tiles", "mount/tiles/deeper"}) {
+    const int refused =
+        ClaimOverASecondMount(scene_.root, folder_ / "mount", [&] { return Claim(folder_ / path, true).status(); });
+    if (refused == 2) GTEST_SKIP() << "may not mount here";
+    EXPECT_EQ(refused, 0) << path;
+  }
 }
 
 TEST_F(OutputFolderTest, NeverWritesToAFolderThatHoldsFoldersOfTiles) {

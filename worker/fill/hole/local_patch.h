@@ -19,6 +19,7 @@ struct LocalPatch {
   std::optional<HoldOut> hold_out = {};  // where the tension was chosen for this patch alone
   bool is_bare = false;                  // no new vertex could be laid where the way would have liked some
   int32_t loop_cuts = 0;                 // as HolePatch
+  int32_t crossings = 0;                 // as HolePatch
   std::vector<int32_t> feet = {};        // of each vertex of the hole, as RaiseWalls returns them
 
   bool ok() const { return failure == FillFailure::kNone; }

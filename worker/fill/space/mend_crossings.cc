@@ -80,6 +80,7 @@ class CrossingMender {
       }
     }
     DropUnusedPoints(hole_, patch_);
+    patch_.crossings = static_cast<int32_t>(crossed.size());
     return std::move(patch_);
   }
 

@@ -265,6 +265,26 @@ TEST(BufferedTilesTest, HolesOverBordersAreFilledInEveryTile) {
   }
 }
 
+// A hole that ends where the neighbour has surface goes on below it, to its tile's own outline.
+TEST_P(OwnRegionsTest, TellWhereTheNeighbourHasSurface) {
+  const Plan plan = PlanOf(OverlappingScene(
+      {"##########|##########", "##########|...#######", "##########|...#######", "##########|...#######",
+       "##########|##########", "##########|##########", "##########|##########", "##########|##########",
+       "##########|##########", "##########|##########"},
+      10, GetParam()));
+  ASSERT_THAT(plan.holes, SizeIs(1));
+  ASSERT_THAT(plan.holes[0].own_regions, SizeIs(1));
+  int64_t new_vertices = 0;
+  for (const RimSegment& s : plan.holes[0].own_regions[0]) {
+    const PlanVertex& v = plan.vertices[s.from];
+    EXPECT_EQ(v.on_neighbour, v.index < 0) << v.position.transpose();
+    new_vertices += v.index < 0;
+  }
+  EXPECT_GT(new_vertices, 0);
+  for (const PlanVertex& v : PlanOf(OverlappingScene(kWaters, 10, GetParam())).vertices)
+    EXPECT_FALSE(v.on_neighbour && v.index >= 0);
+}
+
 // Both neighbours' new vertices take the surface from the same places on the line between them.
 TEST_P(OwnRegionsTest, OfNeighboursFollowTheSameVertices) {
   const Plan plan = PlanOf(OverlappingScene(kWaters, 10, GetParam()));

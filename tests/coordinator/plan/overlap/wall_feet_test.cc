@@ -79,6 +79,23 @@ TEST(WallFeetTest, AreNoneOffTheOutline) {
   EXPECT_THAT(plan.vertices, SizeIs(5));
 }
 
+// The neighbour's surface goes over the outline there, up on the object.
+TEST(WallFeetTest, StandWhereTheNeighboursObjectEnds) {
+  Plan plan = PlanOfGap(false);
+  plan.vertices.push_back(At(2, 10.1, 7, -1));
+  plan.vertices[5].on_object = true;
+  plan.vertices[1].on_neighbour = true;
+  LayWallFeet(plan);
+  EXPECT_TRUE(plan.vertices[1].on_object) << "as what it follows";
+  ASSERT_THAT(plan.vertices, SizeIs(7));
+  EXPECT_NEAR(plan.vertices[6].position.x(), 2.02, plan.lattice_step);
+  const std::vector<RimSegment>& region = plan.holes[0].own_regions[0];
+  ASSERT_THAT(region, SizeIs(6));
+  EXPECT_EQ(region[0].to, 1) << "no foot before it";
+  EXPECT_EQ(region[1].to, 6);
+  EXPECT_EQ(region[2].from, 6);
+}
+
 TEST(WallFeetTest, AreOfObjectsOnly) {
   Plan plan = PlanOfGap(false);
   LayWallFeet(plan);
