@@ -20,41 +20,69 @@ bool IsTiny(const PlannedHole& hole) {
   return is_known && hole.area < kTinyHole;
 }
 
-std::string TextOfUncounted(int64_t tiny, int64_t decided) {
+// The holes that stay open.
+struct LeftCounts {
+  int64_t all = 0;
+  int64_t tiny = 0;     // of them
+  int64_t decided = 0;  // of them, by decision; not among the tiny
+};
+
+std::string SmallerThan() { return absl::StrCat("smaller than ", kTinyHole, " m2"); }
+
+// "; 5 left open, 1 of them smaller than 0.05 m2 and 2 by decision, which do not count"
+std::string TextOfSome(const LeftCounts& left) {
+  const int64_t uncounted = left.tiny + left.decided;
+  std::string text = absl::StrCat("; ", left.all, " left open");
+  if (left.tiny > 0) absl::StrAppend(&text, ", ", left.tiny, " of them ", SmallerThan());
+  if (left.decided > 0) absl::StrAppend(&text, left.tiny > 0 ? " and " : ", ", left.decided);
+  if (left.decided > 0) absl::StrAppend(&text, left.tiny > 0 ? "" : " of them", " by decision");
+  return absl::StrCat(text, ", which ", uncounted == 1 ? "does" : "do", " not count");
+}
+
+std::string TextOfUncounted(const LeftCounts& left) {
+  const int64_t uncounted = left.tiny + left.decided;
+  if (uncounted > 0 && left.all > uncounted) return TextOfSome(left);
   std::string text;
-  if (tiny > 0) {
-    absl::StrAppend(&text, "; ", tiny, " left open ", tiny == 1 ? "is" : "are", " smaller than ", kTinyHole, " m2 and ",
-                    tiny == 1 ? "does" : "do", " not count");
+  if (left.tiny > 0) {
+    absl::StrAppend(&text, "; ", left.tiny, " left open ", left.tiny == 1 ? "is " : "are ", SmallerThan(), " and ",
+                    left.tiny == 1 ? "does" : "do", " not count");
   }
-  if (decided > 0) {
-    absl::StrAppend(&text, "; ", decided, " left open by decision ", decided == 1 ? "does" : "do", " not count");
+  if (left.decided > 0) {
+    absl::StrAppend(&text, "; ", left.decided, " left open by decision ", left.decided == 1 ? "does" : "do",
+                    " not count");
   }
   return text;
 }
 
+bool IsLeft(const std::string& failure) { return !failure.empty() && failure != kNotChosen; }
+
 }  // namespace
 
 std::string UncountedText(const SceneReportInput& input) {
-  int64_t tiny = 0, decided = 0;
+  LeftCounts counts;
+  for (size_t h = 0; h < input.plan->holes.size(); ++h) {
+    counts.all += IsLeft(FailureOf(input, static_cast<int32_t>(h)));
+  }
   for (const LeftOpen& left : LeftOf(input)) {
     if (!left.is_hole || left.hole < 0) continue;
     const bool is_decided = left.reason == kLeftByDecision;
-    decided += is_decided;
-    tiny += !is_decided && IsTiny(input.plan->holes[static_cast<size_t>(left.hole)]);
+    counts.decided += is_decided;
+    counts.tiny += !is_decided && IsTiny(input.plan->holes[static_cast<size_t>(left.hole)]);
   }
-  return TextOfUncounted(tiny, decided);
+  return TextOfUncounted(counts);
 }
 
 std::string UncountedText(const nlohmann::ordered_json& report) {
-  int64_t tiny = 0, decided = 0;
+  LeftCounts counts;
   for (const nlohmann::ordered_json& hole : Member(report, "per_hole")) {
     const std::string reason = Text(Member(hole, "reason"));
     const nlohmann::ordered_json& area = Member(hole, "area_m2");
     if (Text(Member(hole, "outcome")) != "left" || reason == kNotChosen) continue;
-    decided += reason == kLeftByDecision;
-    tiny += reason != kLeftByDecision && area.is_number() && std::abs(Number(area)) < kTinyHole;
+    ++counts.all;
+    counts.decided += reason == kLeftByDecision;
+    counts.tiny += reason != kLeftByDecision && area.is_number() && std::abs(Number(area)) < kTinyHole;
   }
-  return TextOfUncounted(tiny, decided);
+  return TextOfUncounted(counts);
 }
 
 std::vector<LeftOpen> LeftOf(const SceneReportInput& input) {

@@ -29,8 +29,9 @@ inline constexpr double kTinyHole = 0.05;  // m2
 // not count. An area that is not known counts, and so does a cell that was filled without some result.
 bool IsPartial(const SceneReportInput& input);
 
-// "; 2 left open are smaller than 0.05 m2 and do not count; 1 left open by decision does not count": of the holes in
-// LeftOf that IsPartial does not count. "" without any.
+// What holes left open IsPartial does not count, after "30 of 32 holes filled". If some count: "; 2 left open, 1 of
+// them smaller than 0.05 m2, which does not count". If none counts: "; 2 left open are smaller than 0.05 m2 and do not
+// count; 1 left open by decision does not count". "" if all count, or none is left.
 std::string UncountedText(const SceneReportInput& input);
 
 // The same from report.json.

@@ -57,8 +57,38 @@ TEST_F(LeftOpenTest, AReportTellsWhatDoesNotCount) {
       {"area_m2": 0.01, "outcome": "left", "reason": "left open by decision"},
       {"area_m2": 0.01, "outcome": "left", "reason": "in a cell that was not chosen"}]})");
   EXPECT_EQ(UncountedText(report),
-            "; 2 left open are smaller than 0.05 m2 and do not count; 1 left open by decision does not count");
+            "; 5 left open, 2 of them smaller than 0.05 m2 and 1 by decision, which do not count");
   EXPECT_EQ(UncountedText(nlohmann::ordered_json()), "");
+}
+
+// A report with holes left open of those areas, and so many by decision.
+nlohmann::ordered_json ReportOf(const std::vector<double>& areas, int decided) {
+  nlohmann::ordered_json report;
+  for (const double area : areas) {
+    report["per_hole"].push_back({{"area_m2", area}, {"outcome", "left"}, {"reason", "a reason"}});
+  }
+  for (int k = 0; k < decided; ++k) {
+    report["per_hole"].push_back({{"area_m2", 5}, {"outcome", "left"}, {"reason", "left open by decision"}});
+  }
+  return report;
+}
+
+TEST_F(LeftOpenTest, TheTextCountsAllThatIsLeftOpenWhereSomeCounts) {
+  EXPECT_EQ(UncountedText(ReportOf({0.01, 1.3}, 0)),
+            "; 2 left open, 1 of them smaller than 0.05 m2, which does not count");
+  EXPECT_EQ(UncountedText(ReportOf({0.01, 0.02, 1.3}, 0)),
+            "; 3 left open, 2 of them smaller than 0.05 m2, which do not count");
+  EXPECT_EQ(UncountedText(ReportOf({1.3}, 1)), "; 2 left open, 1 of them by decision, which does not count");
+  EXPECT_EQ(UncountedText(ReportOf({0.01, 0.02}, 1)),
+            "; 2 left open are smaller than 0.05 m2 and do not count; 1 left open by decision does not count");
+  EXPECT_EQ(UncountedText(ReportOf({1.3}, 0)), "");
+}
+
+TEST_F(LeftOpenTest, AJobCountsAllThatIsLeftOpenAsItsReportDoes) {
+  input_.outcome.failures = {{0, "a reason"}, {1, "another"}};
+  plan_.holes[0].area = 0.01;
+  plan_.holes[1].area = 1.3;
+  EXPECT_EQ(UncountedText(input_), "; 2 left open, 1 of them smaller than 0.05 m2, which does not count");
 }
 
 TEST_F(LeftOpenTest, AnAreaThatIsNotKnownCounts) {
