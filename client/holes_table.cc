@@ -60,6 +60,13 @@ std::string WaterOf(const Json& hole) {
   return absl::StrCat(taken_for, " ", at, ", sigma ", Decimals(sigma, 3), " m");
 }
 
+// "7", or of a row about several holes "7 and 3 more".
+std::string HolesOf(const Json& row) {
+  const std::string hole = Text(Member(row, "hole"));
+  const Json& holes = Member(row, "holes");
+  return holes.size() < 2 ? hole : absl::StrCat(hole, " and ", holes.size() - 1, " more");
+}
+
 // Those of per_hole that `is_wanted`, the largest first.
 std::vector<const Json*> HolesByArea(const Json& report, const std::function<bool(const Json&)>& is_wanted) {
   std::vector<const Json*> holes;
@@ -116,9 +123,11 @@ std::string LargeHolesText(const Json& report) {
                     AreaText(Member(hole, "area_m2")), WaterOf(hole), Text(Member(Member(hole, "water"), "reason"))});
   }
   ShortenRepeated(rows);
-  return absl::StrCat("\n", Counted(holes.size(), "large hole"), "\n",
-                      Table({"hole", "cell", "centre, m", "area, m2", "filled as", "because"}, rows),
-                      MoreText(holes.size(), "see `water` of per_hole in the report"));
+  return absl::StrCat(
+      "\n", holes.size(),
+      holes.size() == 1 ? " large hole or part of a large hole\n" : " large holes or parts of large holes\n",
+      Table({"hole", "cell", "centre, m", "area, m2", "filled as", "because"}, rows),
+      MoreText(holes.size(), "see `water` of per_hole in the report"));
 }
 
 std::string LookAtText(const Json& report) {
@@ -126,7 +135,7 @@ std::string LookAtText(const Json& report) {
   Rows rows;
   for (const Json& item : items) {
     if (rows.size() == kMostListedRows || !item.is_object()) break;
-    rows.push_back({Text(Member(item, "hole")), Text(Member(item, "cell")), CentreText(Member(item, "centre")),
+    rows.push_back({HolesOf(item), Text(Member(item, "cell")), CentreText(Member(item, "centre")),
                     AreaText(Member(item, "area_m2")), Text(Member(item, "why"))});
   }
   if (rows.empty()) return "";

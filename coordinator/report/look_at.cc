@@ -24,9 +24,10 @@ constexpr double kSureLevel = 0.25;  // metres of sigma: what a surveyor expects
 
 // The filled holes that one evidence is about.
 struct Judged {
-  int32_t largest = -1;  // into Plan::holes
-  double area = 0;       // m2
-  double rim = 0;        // metres
+  std::vector<int32_t> holes;  // into Plan::holes
+  int32_t largest = -1;        // of them
+  double area = 0;             // m2
+  double rim = 0;              // metres
 };
 
 std::vector<Judged> JudgedOf(const SceneReportInput& input) {
@@ -37,6 +38,7 @@ std::vector<Judged> JudgedOf(const SceneReportInput& input) {
     const auto id = static_cast<int32_t>(h);
     if (hole.evidence < 0 || !FailureOf(input, id).empty()) continue;
     Judged& j = judged[hole.evidence];
+    j.holes.push_back(id);
     if (j.largest < 0 || hole.area > plan.holes[j.largest].area) j.largest = id;
     j.area += hole.area;
     j.rim += hole.perimeter;
@@ -77,9 +79,10 @@ Json LookAtJson(const SceneReportInput& input) {
     if (why.empty()) continue;
     const PlannedHole& hole = plan.holes[judged[e].largest];
     Json row = {{"hole", judged[e].largest},
+                {"holes", judged[e].holes},
                 {"cell", {hole.cell.col, hole.cell.row}},
                 {"centre", {Rounded(hole.centre.x(), 1), Rounded(hole.centre.y(), 1)}},
-                {"area_m2", std::round(judged[e].area)}};
+                {"area_m2", Rounded(judged[e].area, 1)}};
     row.update(HoleEvidenceJson(evidence));
     row.erase("reason");
     row["why"] = why;

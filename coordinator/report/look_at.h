@@ -9,8 +9,9 @@
 namespace tilemend {
 
 // One row for each judged cluster or closed hole (HoleEvidence) that no area of the user decides on, the largest first.
-// It has "hole" (its largest), "cell" and "centre" of that, "area_m2" of all, and "taken_for". It has "level_m" and
-// "sigma_m" if there is a level. Its "why" says which of these are true; there is no row if none is:
+// It has "hole" (its largest), "cell" and "centre" of that, "holes" (all by number), "area_m2" of all to 0.1 m2, and
+// "taken_for". It has "level_m" and "sigma_m" if there is a level. Its "why" says which of these are true; there is no
+// row if none is:
 //   - it is filled flat, and sigma is more than 0.25 m;
 //   - it is filled flat, at a level that its own rim tells, and that rim is shorter than a circle of its area: most of
 //     it ends at the edge of the area;

@@ -312,7 +312,7 @@ const char* MethodOf(const Plan& plan, const PlannedHole& hole, FillWay way) {
     case FillWay::kSpace:
       return "in space";
     case FillWay::kFoldsCut:
-      return "folds cut off";
+      return hole.kind == HoleKind::kClosed ? "folds cut off" : "over the ground, folds cut off";
     case FillWay::kBare:
       return "bare triangles";
     case FillWay::kAdvancingFrontNormal:

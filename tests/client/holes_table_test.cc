@@ -49,12 +49,12 @@ TEST(LargeHolesTextTest, SaysWhatTheyWereFilledAsAndWhy) {
   report["per_hole"][1]["level_m"] = 3;
   report["per_hole"][1]["water"] = {{"taken_for", "lake"}, {"level_m", 3}, {"reason", "a polygon says so"}};
   EXPECT_EQ(LargeHolesText(report),
-            "\n2 large holes\n"
+            "\n2 large holes or parts of large holes\n"
             "hole  cell   centre, m    area, m2  filled as        because\n"
             "   1  [0,1]  [1.50,2.50]     300.0  lake at 3.000 m  a polygon says so\n"
             "   0  [0,1]  [1.50,2.50]     200.0  ground           it falls\n");
   report["per_hole"][1]["outcome"] = "left";
-  EXPECT_THAT(LargeHolesText(report), HasSubstr("1 large hole\n"));
+  EXPECT_THAT(LargeHolesText(report), HasSubstr("1 large hole or part of a large hole\n"));
 }
 
 TEST(LookAtTextTest, ListsPlaces) {
@@ -68,6 +68,19 @@ TEST(LookAtTextTest, ListsPlaces) {
             "\n1 place to look at\n"
             "hole  cell   centre, m    area, m2  why\n"
             "   7  [0,1]  [1.50,2.50]     300.0  it is large\n");
+}
+
+TEST(LookAtTextTest, SaysOfHowManyHolesTheAreaIs) {
+  Json report;
+  report["look_at"].push_back({{"hole", 7},
+                               {"holes", {3, 5, 7, 9}},
+                               {"cell", {0, 1}},
+                               {"centre", {1.5, 2.5}},
+                               {"area_m2", 14521.3},
+                               {"why", "it is large"}});
+  EXPECT_THAT(LookAtText(report), HasSubstr("7 and 3 more  [0,1]  [1.50,2.50]   14521.3  it is large\n"));
+  report["look_at"][0]["holes"] = {7};
+  EXPECT_THAT(LookAtText(report), HasSubstr("   7  [0,1]  [1.50,2.50]   14521.3  it is large\n"));
 }
 
 TEST(KindsTextTest, CountsTheCellsThatWereChosen) {

@@ -31,6 +31,7 @@ export interface Water {
 
 export interface LookAt {
   hole?: number;
+  holes?: number[]; // all that `area_m2` is of; `hole` is the largest
   cell?: [number, number];
   centre?: number[];
   area_m2?: number;

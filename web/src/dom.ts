@@ -42,3 +42,9 @@ export function areaText(area: number): string {
 export function counted(count: number, noun: string): string {
   return `${number(count)} ${noun}${count === 1 ? '' : 's'}`;
 }
+
+// "7", or of several holes in one row "7 and 3 more".
+export function holesText({ hole, holes }: { hole?: number; holes?: number[] }): string {
+  const more = (holes?.length ?? 1) - 1;
+  return more > 0 ? `${hole} and ${number(more)} more` : String(hole ?? '');
+}

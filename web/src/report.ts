@@ -1,7 +1,7 @@
 // report.html: puts the parts of the page together.
 import { type DetailLevel, type LookAt, type Report, type Water, readReport } from './data';
 import { decisionsCommand } from './command';
-import { areaText, counted, el, number } from './dom';
+import { areaText, counted, el, holesText, number } from './dom';
 import { holesTable, levelText } from './holes';
 import { cellMap } from './map';
 import { MARK_NAME, pictures } from './pictures';
@@ -54,7 +54,7 @@ function waters(rows: Water[]): HTMLElement {
 
 function looks(rows: LookAt[]): HTMLElement {
   return table(['hole', 'cell', 'x, y [m]', 'area [m\u00b2]', 'why'],
-    rows.map((r) => [String(r.hole ?? ''), (r.cell ?? []).join(', '), (r.centre ?? []).map((c) => c.toFixed(1)).join(', '),
+    rows.map((r) => [holesText(r), (r.cell ?? []).join(', '), (r.centre ?? []).map((c) => c.toFixed(1)).join(', '),
       r.area_m2 === undefined ? '' : areaText(r.area_m2), r.why ?? '']), [3]);
 }
 

@@ -68,6 +68,22 @@ TEST_F(LookAtTest, ListsLargeGroundTheLargestFirst) {
   EXPECT_EQ(rows[1]["hole"], 0);
 }
 
+TEST_F(LookAtTest, NamesAllHolesWhoseAreasItSums) {
+  Add({Verdict::kNoWater, false, 0, 0.0, "no rim"}, 900.02, 200);
+  for (const double area : {1652.9, 0.31, 70.0}) {
+    PlannedHole hole;
+    hole.area = area;
+    hole.evidence = 0;
+    plan_.holes.push_back(hole);
+  }
+  input_.outcome.failures = {{3, "no way was found"}};
+  const Json rows = LookAtJson(input_);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0]["hole"], 1);
+  EXPECT_EQ(rows[0]["holes"], Json({0, 1, 2}));
+  EXPECT_EQ(rows[0]["area_m2"], 2553.2);
+}
+
 TEST_F(LookAtTest, LeavesOutWhatTheUserDecidedAndWhatStaysOpen) {
   HoleEvidence given = {Verdict::kLake, true, 3.25, std::nullopt, "a polygon says so"};
   given.area = 0;

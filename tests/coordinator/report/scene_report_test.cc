@@ -168,6 +168,13 @@ TEST_F(SceneReportTest, LevelGroundIsNoWater) {
   EXPECT_EQ(report["per_hole"][1]["level_m"], 12.5);
 }
 
+TEST_F(SceneReportTest, OpenHolesAreFilledOverTheGroundAlsoWithFoldsCutOff) {
+  for (auto& [hole, size] : input_.outcome.sizes) size.way = FillWay::kFoldsCut;
+  const Json rows = Report()["per_hole"];
+  EXPECT_EQ(rows[0]["method"], "folds cut off");
+  EXPECT_EQ(rows[1]["method"], "over the ground, folds cut off");
+}
+
 TEST_F(SceneReportTest, SaysWhatAHoleWasTakenForAndWhy) {
   plan_.holes[1].evidence = 0;
   plan_.holes[2].evidence = 1;
