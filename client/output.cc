@@ -168,14 +168,16 @@ std::string SurfaceText(const v1::JobSpec& spec) {
 std::string JobText(const v1::Job& job, OutputFormat format) {
   if (format == OutputFormat::kJson) return Dump(JobJson(job));
   const v1::Progress& p = job.progress();
-  std::vector<std::vector<std::string>> rows = {{"state", StateText(job)},
-                                                {"scene", job.spec().scene()},
-                                                {"out", job.spec().out()},
-                                                {"surface", SurfaceText(job.spec())},
-                                                {"phase", p.phase()},
-                                                {"cells", Share(p.cells_done(), p.cells())},
-                                                {"holes", Share(p.holes_filled(), p.holes())},
-                                                {"tasks", Share(p.tasks_done(), p.tasks())}};
+  const bool is_dry = job.spec().dry_run();  // nothing is filled
+  std::vector<std::vector<std::string>> rows = {
+      {"state", StateText(job)},
+      {"scene", job.spec().scene()},
+      {"out", job.spec().out()},
+      {"surface", SurfaceText(job.spec())},
+      {"phase", p.phase()},
+      {"cells", is_dry ? absl::StrCat(p.cells()) : Share(p.cells_done(), p.cells())},
+      {"holes", is_dry ? absl::StrCat(p.holes()) : Share(p.holes_filled(), p.holes())},
+      {"tasks", Share(p.tasks_done(), p.tasks())}};
   if (job.priority() != 0) rows.push_back({"priority", absl::StrCat(job.priority())});
   if (!job.waiting().empty()) rows.push_back({"waiting", job.waiting()});
   const absl::Time created = absl::FromUnixSeconds(job.create_time().seconds());

@@ -157,6 +157,11 @@ std::string WritePage(const v1::Job& job) {
   return "";
 }
 
+// Whether the job ended with an output.
+bool HasOutput(const v1::Job& job) {
+  return !job.spec().dry_run() && (job.state() == v1::DONE || job.state() == v1::PARTIAL);
+}
+
 // The job unless `is_brief`, what its report says, and the path of the page.
 void PrintEnd(const v1::Job& job, OutputFormat format, bool is_brief, const std::string& page) {
   const bool is_table = format == OutputFormat::kTable;
@@ -205,6 +210,7 @@ int RunCommand(const Args& args) {
   // A job that failed before its first phase has nothing more to tell.
   const bool only_error = job->state() == v1::FAILED && job->progress().phase().empty();
   if (!only_error || *format == OutputFormat::kJson) PrintEnd(*job, *format, is_brief, page);
+  if (is_brief && HasOutput(*job)) std::fputs(CheckLine(args.arguments().front(), args.Text("out")).c_str(), stdout);
   return ExitCodeOf(*job);
 }
 

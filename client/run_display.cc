@@ -89,6 +89,10 @@ std::string ResultText(const Json& report) {
                       WaterText(report, "filled flat as water"), LookAtText(report), LeftText(report, "left open"));
 }
 
+std::string CheckLine(const std::string& scene, const std::string& out) {
+  return absl::StrCat("check: tilemend check ", Printable(ShellWord(scene)), " ", Printable(ShellWord(out)), "\n");
+}
+
 RunDisplay::RunDisplay() : begin_(absl::Now()) {}
 
 RunDisplay::~RunDisplay() { EndStage(); }

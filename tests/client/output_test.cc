@@ -72,6 +72,18 @@ TEST(JobTextTest, BeginsWithTheNameThatTheJobHas) {
   EXPECT_THAT(JobText(job, OutputFormat::kTable), testing::StartsWith("job      jobs/7\nstate    done\n"));
 }
 
+TEST(JobTextTest, ADryRunFillsNothingSoNothingIsLeftToDo) {
+  v1::Job job;
+  job.set_state(v1::DONE);
+  job.mutable_spec()->set_dry_run(true);
+  job.mutable_progress()->set_cells(4);
+  job.mutable_progress()->set_holes(32);
+  const std::string text = JobText(job, OutputFormat::kTable);
+  EXPECT_THAT(text, HasSubstr("cells    4\nholes    32\n"));
+  job.mutable_spec()->set_dry_run(false);
+  EXPECT_THAT(JobText(job, OutputFormat::kTable), HasSubstr("holes    0/32\n"));
+}
+
 TEST(JobsTextTest, KeepsToEightyColumns) {
   const std::string text = JobsText({LongJob()}, OutputFormat::kTable, 80);
   ExpectLinesWithin(text, 80);

@@ -38,7 +38,8 @@ def main():
         demo = os.path.join(folder, 'demo')
         code, shown = at_terminal('demo', demo)
         expect(code == 0, f'demo ends with {code}', shown)
-        for part in ('write the tiles', '10 of 10 holes filled', 'filled flat as water', '412.0', f'{demo}/out/report.html'):
+        for part in ('write the tiles', '10 of 10 holes filled', 'filled flat as water', '412.0', f'{demo}/out/report.html',
+                     f'check: tilemend check {demo}/scene {demo}/out\n'):
             expect(part in shown, f'demo does not show {part!r}', shown)
         for word in OF_PROGRAMS:
             expect(word not in shown, f'demo shows {word!r}', shown)
