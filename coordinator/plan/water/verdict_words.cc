@@ -19,8 +19,10 @@ std::string LowerSurface(double share) {
 }
 
 std::string Agreement(const LevelEvidence& e) {
-  if (!e.agrees())
-    return "level and dry surface differ by " + Centimetres(e.dry_difference) + ", less than three times the noise";
+  if (!e.agrees()) {
+    return "its rim is level within the noise of its heights: a dry surface would be " + Centimetres(e.dry_difference) +
+           " off the level in the mean, less than three times the noise of " + Centimetres(e.noise);
+  }
   return "the far sides of the rim tell the same level within " + Centimetres(e.disagreement);
 }
 
@@ -36,7 +38,7 @@ std::string ReasonFor(HoleEvidence::Verdict verdict, const Basin& basin, double 
   const LevelEvidence& e = basin.river ? basin.river->evidence : basin.evidence;
   switch (verdict) {
     case HoleEvidence::Verdict::kLake:
-      return Agreement(e);
+      return Agreement(e) + (e.agrees() ? "" : "; " + LowerSurface(lower_share));
     case HoleEvidence::Verdict::kRiver:
       return "its rim falls evenly, within " + Centimetres(e.disagreement);
     case HoleEvidence::Verdict::kLevelGround:

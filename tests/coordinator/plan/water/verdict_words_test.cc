@@ -29,9 +29,14 @@ TEST(ReasonForTest, SaysWhyItIsLevelGroundOnly) {
   noisy.area = 5000;
   noisy.evidence.dry_difference = 0.05;
   noisy.evidence.noise = 0.1;
-  EXPECT_EQ(ReasonFor(Verdict::kLevelGround, noisy, 0.25, kWaterProfiles[0]),
-            "level and dry surface differ by 0.05 m, less than three times the noise; 25 % of the surface around it is "
-            "lower than its rim");
+  EXPECT_EQ(
+      ReasonFor(Verdict::kLevelGround, noisy, 0.25, kWaterProfiles[0]),
+      "its rim is level within the noise of its heights: a dry surface would be 0.05 m off the level in the mean, "
+      "less than three times the noise of 0.10 m; 25 % of the surface around it is lower than its rim");
+  EXPECT_EQ(
+      ReasonFor(Verdict::kLake, noisy, 0, kWaterProfiles[0]),
+      "its rim is level within the noise of its heights: a dry surface would be 0.05 m off the level in the mean, "
+      "less than three times the noise of 0.10 m; 0 % of the surface around it is lower than its rim");
 }
 
 TEST(ReasonForTest, SaysWhyItIsNoWater) {
