@@ -25,8 +25,10 @@ using Json = nlohmann::ordered_json;
 int ReportCommand(const Args& args) {
   const auto format = FormatFromFlags(args);
   if (!format.ok()) return PrintUsageError(format.status());
-  std::filesystem::path path = args.arguments().front();
-  if (path.extension() != ".json") path /= "report.json";
+  const std::string& folder = args.arguments().front();
+  std::filesystem::path path = folder;
+  const bool is_folder = path.extension() != ".json";
+  if (is_folder) path /= "report.json";
   if (args.Switch("html") && path.filename() != "report.json") {
     return PrintUsageError(absl::InvalidArgumentError(
         absl::StrCat("report: --html makes the page of the report.json in an output's folder, not of ", path.string(),
@@ -35,7 +37,10 @@ int ReportCommand(const Args& args) {
   const auto content = ReadFile(path.string());
   const auto finished = path.filename() == "report.json" ? CheckFinished(path.parent_path()) : absl::OkStatus();
   if (!finished.ok()) return PrintError(finished);
-  if (!content.ok()) return PrintError(content.status());
+  if (!content.ok()) {
+    const absl::Status status = is_folder ? CheckHasReport(folder) : absl::OkStatus();
+    return PrintError(status.ok() ? content.status() : status);
+  }
   const Json report = ParseShallow(*content);
   if (!report.is_object() || !report.contains("cells")) {
     return PrintError(absl::InvalidArgumentError(

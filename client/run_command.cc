@@ -25,6 +25,7 @@
 #include "common/util/files.h"
 #include "common/util/folders.h"
 #include "common/util/heap.h"
+#include "common/util/object_store.h"
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
@@ -157,9 +158,13 @@ std::string WritePage(const v1::Job& job) {
   return "";
 }
 
-// Whether the job ended with an output.
-bool HasOutput(const v1::Job& job) {
-  return !job.spec().dry_run() && (job.state() == v1::DONE || job.state() == v1::PARTIAL);
+// Whether the job ended with an output that `tilemend check` can compare: it reads no object store, and tiles in the
+// format of the scene alone.
+bool CanBeChecked(const v1::Job& job) {
+  const v1::JobSpec& spec = job.spec();
+  const bool keeps_format = spec.output_format().empty() || spec.output_format() == "same";
+  return (job.state() == v1::DONE || job.state() == v1::PARTIAL) && !spec.dry_run() && keeps_format &&
+         !IsObjectPath(spec.scene()) && !IsObjectPath(spec.out());
 }
 
 // The job unless `is_brief`, what its report says, and the path of the page.
@@ -210,7 +215,7 @@ int RunCommand(const Args& args) {
   // A job that failed before its first phase has nothing more to tell.
   const bool only_error = job->state() == v1::FAILED && job->progress().phase().empty();
   if (!only_error || *format == OutputFormat::kJson) PrintEnd(*job, *format, is_brief, page);
-  if (is_brief && HasOutput(*job)) std::fputs(CheckLine(args.arguments().front(), args.Text("out")).c_str(), stdout);
+  if (is_brief && CanBeChecked(*job)) std::fputs(CheckLine(args.arguments().front(), args.Text("out")).c_str(), stdout);
   return ExitCodeOf(*job);
 }
 

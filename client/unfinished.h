@@ -17,6 +17,11 @@ bool IsOutput(const std::string& folder);
 // kNotFound where it is so, with what to do.
 absl::Status CheckFinished(const std::string& output);
 
+// Whether `output` is a folder with a report.json: kNotFound if it is no folder, CheckFinished if the output is not
+// complete, kNotFound if no job wrote it. What is in an object store is not looked at. `scene`: of which it should be
+// the output, "" if nobody said; if that is an output and `output` is none, the error says that they are swapped.
+absl::Status CheckHasReport(const std::string& output, const std::string& scene = "");
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_CLIENT_UNFINISHED_H_

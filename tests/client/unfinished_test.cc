@@ -39,5 +39,29 @@ TEST(Unfinished, SaysWhatToDo) {
   EXPECT_THAT(std::string(status.message()), HasSubstr("Run the same job again"));
 }
 
+TEST(CheckHasReport, SaysWhatIsMissing) {
+  TemporaryFolder folder;
+  const std::string out = folder / "out", scene = folder / "scene";
+  EXPECT_EQ(CheckHasReport(out).message(), out + ": no such folder");
+  folder.Write("scene/a.ply", "");
+  EXPECT_EQ(CheckHasReport(scene + "/a.ply").message(), scene + "/a.ply: not a folder");
+  EXPECT_EQ(CheckHasReport(scene).message(), scene + ": no output of `tilemend run` (it has no report.json)");
+  folder.Write("out/.tilemend-results", "");
+  EXPECT_THAT(std::string(CheckHasReport(out).message()), HasSubstr("is not complete"));
+  folder.Write("out/report.json", "{}");
+  EXPECT_TRUE(CheckHasReport(out).ok());
+  EXPECT_TRUE(CheckHasReport("s3://bucket/out").ok());
+}
+
+TEST(CheckHasReport, TellsThatSceneAndOutputAreSwapped) {
+  TemporaryFolder folder;
+  const std::string out = folder / "out", scene = folder / "scene";
+  folder.Write("scene/a.ply", "");
+  folder.Write("out/report.json", "{}");
+  EXPECT_EQ(CheckHasReport(scene, out).message(), scene + ": no output of `tilemend run` (it has no report.json); " +
+                                                      out + " is one: give the scene first, then its output");
+  EXPECT_TRUE(CheckHasReport(out, scene).ok());
+}
+
 }  // namespace
 }  // namespace tilemend
