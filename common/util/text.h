@@ -36,9 +36,6 @@ size_t EditDistance(std::string_view a, std::string_view b);
 // UTF-8 become \xNN.
 std::string Printable(std::string_view text);
 
-// `text` as one word of a shell's command line: as it is, or in single quotes.
-std::string ShellWord(std::string_view text);
-
 }  // namespace tilemend
 
 #endif  // TILEMEND_COMMON_UTIL_TEXT_H_

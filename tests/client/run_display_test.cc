@@ -62,6 +62,7 @@ TEST(ResultTextTest, CountsTheHolesOfTheCellsThatWereChosen) {
 TEST(CheckLineTest, IsACommandForAShell) {
   EXPECT_EQ(CheckLine("scene", "/data/out"), "check: tilemend check scene /data/out\n");
   EXPECT_EQ(CheckLine("my scene", "out"), "check: tilemend check 'my scene' out\n");
+  EXPECT_EQ(CheckLine("it's $HOME", ""), "check: tilemend check 'it'\\''s $HOME' ''\n");
 }
 
 TEST(ResultTextTest, AReportOfAnotherReleaseIsNoFault) {

@@ -81,13 +81,6 @@ TEST(KeepFirstTest, CountsTheRest) {
   EXPECT_EQ(warnings, (std::vector<std::string>{"a", "file: 2 more warnings"}));
 }
 
-TEST(ShellWordTest, QuotesWhatAShellWouldReadOtherwise) {
-  EXPECT_EQ(ShellWord("/data/a-b_1.2"), "/data/a-b_1.2");
-  EXPECT_EQ(ShellWord("my scene"), "'my scene'");
-  EXPECT_EQ(ShellWord("it's $HOME"), "'it'\\''s $HOME'");
-  EXPECT_EQ(ShellWord(""), "''");
-}
-
 TEST(ShortenedTest, ShowsBothEndsOfWhatIsLong) {
   EXPECT_EQ(Shortened("0123456789", 10), "0123456789");
   EXPECT_EQ(Shortened("0123456789abc", 10), "01 ... bc");

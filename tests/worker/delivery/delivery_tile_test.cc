@@ -17,7 +17,10 @@ namespace {
 
 using testing::HasSubstr;
 
-TileTree OsgbTree() { return *ReadTileTree(*new std::string(OsgbScene().Pack(0)), "a.osgb"); }
+TileTree OsgbTree() {
+  static const std::string packed = OsgbScene().Pack(0);  // the tree has views of it
+  return *ReadTileTree(packed, "a.osgb");
+}
 
 TEST(DeliveryOfTreeTest, PiecesTakeThePlaceOfTheirParents) {
   const DeliveryTile tile = DeliveryOfTree(OsgbTree(), DeliveryLevels::kAll);
