@@ -380,6 +380,7 @@ absl::StatusOr<CheckInput> LoadInput(const std::string& in, const std::string& o
                                      std::vector<std::string>& warnings) {
   const std::string report_path = absl::StrCat(out, "/report.json");
   TILEMEND_RETURN_IF_ERROR(CheckFinished(out));
+  TILEMEND_RETURN_IF_ERROR(CheckIsOutput(in, out));
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(report_path));
   CheckInput input;
   input.out = out;

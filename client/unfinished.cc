@@ -29,4 +29,10 @@ absl::Status CheckFinished(const std::string& output) {
       output, ": report.json is not there yet; the output is not complete. Run the same job again to complete it"));
 }
 
+absl::Status CheckIsOutput(const std::string& scene, const std::string& output) {
+  if (HasFile(output, "report.json")) return absl::OkStatus();
+  return absl::NotFoundError(absl::StrCat(output, ": is no output of tilemend: it has no report.json",
+                                          HasFile(scene, "report.json") ? "; are SCENE and OUT swapped?" : ""));
+}
+
 }  // namespace tilemend

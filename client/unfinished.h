@@ -17,6 +17,9 @@ bool IsOutput(const std::string& folder);
 // kNotFound where it is so, with what to do.
 absl::Status CheckFinished(const std::string& output);
 
+// kNotFound if `output` has no report. Asks whether the arguments are swapped if `scene` has one.
+absl::Status CheckIsOutput(const std::string& scene, const std::string& output);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_CLIENT_UNFINISHED_H_

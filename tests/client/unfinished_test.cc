@@ -9,6 +9,7 @@ namespace tilemend {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(Unfinished, WhereThereIsAMarkerAndNoReport) {
   TemporaryFolder folder;
@@ -37,6 +38,17 @@ TEST(Unfinished, SaysWhatToDo) {
   const absl::Status status = CheckFinished(folder / "out");
   EXPECT_TRUE(absl::IsNotFound(status));
   EXPECT_THAT(std::string(status.message()), HasSubstr("Run the same job again"));
+}
+
+TEST(CheckIsOutput, AsksWhetherTheFoldersAreSwapped) {
+  TemporaryFolder folder;
+  folder.Write("scene/scene.json", "{}");
+  folder.Write("out/report.json", "{}");
+  EXPECT_TRUE(CheckIsOutput(folder / "scene", folder / "out").ok());
+  const absl::Status swapped = CheckIsOutput(folder / "out", folder / "scene");
+  EXPECT_TRUE(absl::IsNotFound(swapped));
+  EXPECT_THAT(std::string(swapped.message()), HasSubstr("has no report.json; are SCENE and OUT swapped?"));
+  EXPECT_THAT(std::string(CheckIsOutput(folder / "scene", folder / "scene").message()), Not(HasSubstr("swapped")));
 }
 
 }  // namespace
