@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <tuple>
 #include <utility>
 
 #include "absl/strings/ascii.h"
@@ -171,11 +172,13 @@ std::string JobText(const v1::Job& job, OutputFormat format) {
   std::vector<std::vector<std::string>> rows = {{"state", StateText(job)},
                                                 {"scene", job.spec().scene()},
                                                 {"out", job.spec().out()},
-                                                {"surface", SurfaceText(job.spec())},
-                                                {"phase", p.phase()},
-                                                {"cells", Share(p.cells_done(), p.cells())},
-                                                {"holes", Share(p.holes_filled(), p.holes())},
-                                                {"tasks", Share(p.tasks_done(), p.tasks())}};
+                                                {"surface", SurfaceText(job.spec())}};
+  if (!p.phase().empty()) rows.push_back({"phase", p.phase()});
+  for (const auto& [name, part, whole] : {std::tuple("cells", p.cells_done(), p.cells()),
+                                          {"holes", p.holes_filled(), p.holes()},
+                                          {"tasks", p.tasks_done(), p.tasks()}}) {
+    if (whole > 0) rows.push_back({name, Share(part, whole)});
+  }
   if (job.priority() != 0) rows.push_back({"priority", absl::StrCat(job.priority())});
   if (!job.waiting().empty()) rows.push_back({"waiting", job.waiting()});
   const absl::Time created = absl::FromUnixSeconds(job.create_time().seconds());
