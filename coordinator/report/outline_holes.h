@@ -1,6 +1,6 @@
 // Holes of a single mesh that are probably its outline.
-#ifndef TILEMEND_CLIENT_OUTLINE_HOLES_H_
-#define TILEMEND_CLIENT_OUTLINE_HOLES_H_
+#ifndef TILEMEND_COORDINATOR_REPORT_OUTLINE_HOLES_H_
+#define TILEMEND_COORDINATOR_REPORT_OUTLINE_HOLES_H_
 
 #include <cstdint>
 #include <string>
@@ -20,4 +20,4 @@ std::string OutlineHolesText(const Plan& plan, const std::vector<int32_t>& holes
 
 }  // namespace tilemend
 
-#endif  // TILEMEND_CLIENT_OUTLINE_HOLES_H_
+#endif  // TILEMEND_COORDINATOR_REPORT_OUTLINE_HOLES_H_

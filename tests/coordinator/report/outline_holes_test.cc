@@ -1,4 +1,4 @@
-#include "client/outline_holes.h"
+#include "coordinator/report/outline_holes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,4 @@
-#include "client/outline_holes.h"
-
-#include <Eigen/Geometry>
+#include "coordinator/report/outline_holes.h"
 
 #include "absl/strings/str_cat.h"
 
@@ -16,13 +14,16 @@ constexpr double kAsFar = 1e-3;
 std::vector<int32_t> OutlineHoles(const Plan& plan, const Point3& low, const Point3& high) {
   std::vector<int32_t> outlines;
   for (size_t h = 0; h < plan.holes.size(); ++h) {
-    Eigen::AlignedBox3d box;
-    for (const RimSegment& s : plan.holes[h].segments) box.extend(plan.vertices[s.from].position);
+    Point3 from = high, to = low;
+    for (const RimSegment& s : plan.holes[h].segments) {
+      from = from.cwiseMin(plan.vertices[s.from].position);
+      to = to.cwiseMax(plan.vertices[s.from].position);
+    }
     int as_far = 0;  // axes
     for (int axis = 0; axis < 3; ++axis) {
       // An axis along which the mesh is flat tells nothing.
       const double size = high[axis] - low[axis], off = kAsFar * size;
-      as_far += size > 0 && box.min()[axis] <= low[axis] + off && box.max()[axis] >= high[axis] - off ? 1 : 0;
+      as_far += size > 0 && from[axis] <= low[axis] + off && to[axis] >= high[axis] - off ? 1 : 0;
     }
     if (as_far >= 2) outlines.push_back(static_cast<int32_t>(h));
   }
