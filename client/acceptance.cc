@@ -14,6 +14,7 @@
 #include "client/carried_files.h"
 #include "client/checked_tile.h"
 #include "client/coarser_levels.h"
+#include "client/hole_numbers.h"
 #include "client/left_holes.h"
 #include "client/lost_fills.h"
 #include "client/original_rims.h"
@@ -81,6 +82,7 @@ class AcceptanceCheck {
         rim_(input_.scene, reported_.overlap),
         left_(reported_.left),
         lost_(reported_.filled_rims),
+        numbers_(reported_),
         levels_(reported_.levels),
         files_(input_.scene.root, input_.out) {
     for (const AcceptanceKindText& text : kAcceptanceKinds)
@@ -105,10 +107,14 @@ class AcceptanceCheck {
   }
 
  private:
-  void Add(AcceptanceKind kind, CellId cell, std::optional<Point3> at, std::string note = "") {
+  // `hole`: its number; if it is not given, that of the hole around `at` for faults of fills.
+  void Add(AcceptanceKind kind, CellId cell, std::optional<Point3> at, std::string note = "",
+           std::optional<int64_t> hole = std::nullopt) {
     AcceptanceFinding& finding = result_.findings[kind];
     ++finding.count;
-    if (finding.places.size() < kMostAcceptancePlaces) finding.places.push_back({cell, std::move(at), std::move(note)});
+    if (finding.places.size() >= kMostAcceptancePlaces) return;
+    if (!hole && at && kAcceptanceKinds[kind].is_of_fill) hole = numbers_.At(cell, at->head<2>());
+    finding.places.push_back({cell, std::move(at), std::move(note), hole});
   }
 
   absl::Status CheckTile(int32_t t) {
@@ -250,11 +256,11 @@ class AcceptanceCheck {
     for (size_t h = 0; h < holes.size(); ++h) {
       ++result_.water_fills;
       const Point3 centre(holes[h].centre.x(), holes[h].centre.y(), holes[h].lowest);
-      if (!findings[h].is_found) Add(kWaterWithoutFill, cell, centre, absl::StrCat("hole ", waters->second[h].hole));
+      if (!findings[h].is_found) Add(kWaterWithoutFill, cell, centre, "", waters->second[h].hole);
       seams_.Add(cell, findings[h].off_at_seam);
       for (const Point3& p : findings[h].off) {
         const double off = p.z() < holes[h].lowest ? p.z() - holes[h].lowest : p.z() - holes[h].highest;
-        Add(kWaterOffLevel, cell, p, absl::StrFormat("%+.3f m", off));
+        Add(kWaterOffLevel, cell, p, absl::StrFormat("%+.3f m", off), waters->second[h].hole);
       }
     }
   }
@@ -349,7 +355,7 @@ class AcceptanceCheck {
     for (const std::string& path : tiles.missing) Add(kMissingTile, cells[path], std::nullopt, path);
     for (const std::string& path : tiles.others) Add(kOtherMesh, {}, std::nullopt, path);
     for (const ReportedOutput::Left& left : reported_.left) {
-      Add(kLeftHole, left.cell, left.at, left.reason);
+      Add(kLeftHole, left.cell, left.at, left.reason, left.hole >= 0 ? std::optional(left.hole) : std::nullopt);
     }
   }
 
@@ -358,6 +364,7 @@ class AcceptanceCheck {
   const AreaRim rim_;
   const LeftHoles left_;
   LostFills lost_;
+  const HoleNumbers numbers_;
   CoarserLevels levels_;
   CarriedFiles files_;
   JoinedEdges edges_;

@@ -15,8 +15,9 @@ namespace tilemend {
 // One place where something was found.
 struct AcceptancePlace {
   CellId cell;
-  std::optional<Point3> at;  // none for a whole tile or file
-  std::string note;          // a path, a reason, a height; may be empty
+  std::optional<Point3> at;                    // none for a whole tile or file
+  std::string note;                            // a path, a reason, a height; may be empty
+  std::optional<int64_t> hole = std::nullopt;  // its number, if known
 };
 
 struct AcceptanceFinding {

@@ -33,28 +33,29 @@ enum AcceptanceKind {
 struct AcceptanceKindText {
   const char *name, *label;
   bool is_fault;
+  bool is_of_fill;  // its places are in fills or on their rims
 };
 inline constexpr std::array<AcceptanceKindText, kAcceptanceKindCount> kAcceptanceKinds = {{
-    {"missing_tiles", "missing tiles", true},
-    {"missing_faces", "original faces that are missing or changed", true},
-    {"cleared_faces", "tiles with more faces taken out than reported", true},
-    {"missing_files", "missing material files and images", true},
-    {"changed_files", "changed material files and images", true},
-    {"placement", "changed or missing files that say where tiles lie", true},
-    {"open_edges", "new open edges", true},
-    {"crossed_fills", "filled triangles that cross each other", true},
-    {"crossed_surface", "filled triangles that cross the original surface", true},
-    {"nonmanifold_edges", "new edges with more than two triangles", true},
-    {"turned_edges", "new edges whose triangles face opposite ways", true},
-    {"flat_triangles", "filled triangles without area", true},
-    {"fill_areas", "tiles whose fills are larger or smaller than their holes", true},
-    {"unfilled_levels", "levels of detail of tiles that were not filled", true},
-    {"water_off_level", "points of water that are not at its level", true},
-    {"water_without_fill", "waters without a fill", true},
-    {"fills_apart", "places where fills of two tiles are more than 2 cm apart", true},
-    {"left_holes", "holes left open, as reported", false},
-    {"crossed_rims", "filled triangles at rims that the input's surface passes through", false},
-    {"other_meshes", "other meshes among the tiles", false},
+    {"missing_tiles", "missing tiles", true, false},
+    {"missing_faces", "original faces that are missing or changed", true, false},
+    {"cleared_faces", "tiles with more faces taken out than reported", true, false},
+    {"missing_files", "missing material files and images", true, false},
+    {"changed_files", "changed material files and images", true, false},
+    {"placement", "changed or missing files that say where tiles lie", true, false},
+    {"open_edges", "new open edges", true, true},
+    {"crossed_fills", "filled triangles that cross each other", true, true},
+    {"crossed_surface", "filled triangles that cross the original surface", true, true},
+    {"nonmanifold_edges", "new edges with more than two triangles", true, true},
+    {"turned_edges", "new edges whose triangles face opposite ways", true, true},
+    {"flat_triangles", "filled triangles without area", true, true},
+    {"fill_areas", "tiles whose fills are larger or smaller than their holes", true, false},
+    {"unfilled_levels", "levels of detail of tiles that were not filled", true, false},
+    {"water_off_level", "points of water that are not at its level", true, true},
+    {"water_without_fill", "waters without a fill", true, true},
+    {"fills_apart", "places where fills of two tiles are more than 2 cm apart", true, true},
+    {"left_holes", "holes left open, as reported", false, false},
+    {"crossed_rims", "filled triangles at rims that the input's surface passes through", false, true},
+    {"other_meshes", "other meshes among the tiles", false, false},
 }};
 
 }  // namespace tilemend

@@ -13,11 +13,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr size_t kShownPlaces = 3;  // of one kind, on a terminal
+constexpr char kChapter[] = "user guide, \"If an output is not accepted\" (docs/user-guide.md)";
 
 std::string PlaceText(const AcceptancePlace& place) {
   if (!place.at) return Printable(place.note);
   std::string text = absl::StrFormat("[%.2f,%.2f,%.2f] in cell %d,%d", place.at->x(), place.at->y(), place.at->z(),
                                      place.cell.col, place.cell.row);
+  if (place.hole) absl::StrAppend(&text, ", hole ", *place.hole);
   if (!place.note.empty()) absl::StrAppend(&text, ": ", Printable(place.note));
   return text;
 }
@@ -53,6 +55,7 @@ std::string AcceptanceText(const Acceptance& acceptance) {
     const int64_t more = finding.count - static_cast<int64_t>(shown);
     if (more > 0) absl::StrAppend(&text, "             and ", more, " more\n");
   }
+  if (!acceptance.IsAccepted()) absl::StrAppend(&text, "\nwhat to do: ", kChapter, "\n");
   return text;
 }
 
@@ -66,6 +69,7 @@ Json AcceptanceJson(const Acceptance& acceptance) {
         row["cell"] = {place.cell.col, place.cell.row};
         row["at"] = {place.at->x(), place.at->y(), place.at->z()};
       }
+      if (place.hole) row["hole"] = *place.hole;
       if (!place.note.empty()) row["note"] = place.note;
       places.push_back(std::move(row));
     }
@@ -84,7 +88,7 @@ Json AcceptanceJson(const Acceptance& acceptance) {
           {"warnings", acceptance.warnings}};
 }
 
-std::string_view AcceptanceCsvHead() { return "what,fault,column,row,x,y,z,note\r\n"; }
+std::string_view AcceptanceCsvHead() { return "what,fault,column,row,x,y,z,hole,note\r\n"; }
 
 std::string AcceptanceCsv(const Acceptance& acceptance) {
   std::string text(AcceptanceCsvHead());
@@ -97,7 +101,7 @@ std::string AcceptanceCsv(const Acceptance& acceptance) {
       } else {
         absl::StrAppend(&text, ",,,,,");
       }
-      absl::StrAppend(&text, CsvField(place.note), "\r\n");
+      absl::StrAppend(&text, place.hole ? absl::StrCat(*place.hole) : "", ",", CsvField(place.note), "\r\n");
     }
   }
   return text;

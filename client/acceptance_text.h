@@ -19,8 +19,8 @@ std::string AcceptanceText(const Acceptance& acceptance);
 // The same with all places that were kept.
 nlohmann::ordered_json AcceptanceJson(const Acceptance& acceptance);
 
-// One line a place: what,fault,column,row,x,y,z,note. Quoted as in RFC 4180; a text that a spreadsheet would take for a
-// formula gets an apostrophe before it.
+// One line a place: what,fault,column,row,x,y,z,hole,note. Quoted as in RFC 4180; a text that a spreadsheet would take
+// for a formula gets an apostrophe before it.
 std::string AcceptanceCsv(const Acceptance& acceptance);
 // Its first line.
 std::string_view AcceptanceCsvHead();

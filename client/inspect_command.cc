@@ -38,6 +38,7 @@
 #include "coordinator/report/area_choice.h"
 #include "coordinator/report/cleared_report.h"
 #include "coordinator/report/json_access.h"
+#include "coordinator/report/outline_holes.h"
 #include "coordinator/report/plan_warnings.h"
 #include "coordinator/report/scene_geojson.h"
 #include "coordinator/report/scene_report.h"
@@ -312,21 +313,24 @@ int InspectMeshAt(const Request& request) {
   const auto record = waves.survey().records().at({0, 0}).Outline();
   const SurveyRecord& r = *record;
   const Json plan = PlanJson(waves.plan(), 1);
+  const std::vector<int32_t> outlines = OutlineHoles(waves.plan(), r.lo, r.hi);
   if (request.format == OutputFormat::kJson) {
     Json json = RecordJson(r);
     json["polygons"] = file->polygon_count;
     json.update(plan);
+    json["probable_outlines"] = outlines;
     std::fputs((json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n").c_str(), stdout);
     return kExitDone;
   }
-  std::fputs(absl::StrFormat("mesh %s\nvertices: %d, triangles: %d, faces with more corners: %d\nboundary edges: %d, "
-                             "non-manifold edges: %d, "
-                             "triangles without area: %d\nholes: %d closed, outlines: %d, continuous: %d\n%s",
-                             Printable(path), r.vertex_count, r.triangle_count, file->polygon_count, r.edges.size(),
-                             r.nonmanifold_edges, r.degenerate_triangles, waves.plan().holes.size(),
-                             waves.plan().outer_rims, waves.plan().continuous, PlanText(plan))
-                 .c_str(),
-             stdout);
+  std::fputs(
+      absl::StrFormat("mesh %s\nvertices: %d, triangles: %d, faces with more corners: %d\nboundary edges: %d, "
+                      "non-manifold edges: %d, "
+                      "triangles without area: %d\nholes: %d closed, outlines: %d, continuous: %d\n%s",
+                      Printable(path), r.vertex_count, r.triangle_count, file->polygon_count, r.edges.size(),
+                      r.nonmanifold_edges, r.degenerate_triangles, waves.plan().holes.size(), waves.plan().outer_rims,
+                      waves.plan().continuous, absl::StrCat(PlanText(plan), OutlineHolesText(waves.plan(), outlines)))
+          .c_str(),
+      stdout);
   return kExitDone;
 }
 

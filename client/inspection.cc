@@ -18,6 +18,7 @@
 #include "common/util/heap.h"
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
+#include "coordinator/report/plan_warnings.h"
 #include "coordinator/report/tile_checks.h"
 #include "coordinator/report/water_choice.h"
 #include "worker/ground/lowest_surface.h"
@@ -165,6 +166,10 @@ Inspection InspectScene(Scene scene, const PlanOptions& options, const StepWatch
     if (!levels.ok()) inspection.errors.push_back(std::move(levels));
   }
   if (inspection.errors.empty()) TellGround(watcher, waves);
+  if (inspection.errors.empty()) {
+    absl::Status decisions = CheckDecisions(waves.plan());
+    if (!decisions.ok()) inspection.errors.push_back(std::move(decisions));
+  }
   return inspection;
 }
 

@@ -112,7 +112,12 @@ int AfterStart(Session& session, const Args& args, absl::StatusOr<v1::Job> job) 
     StopOnSignal(session);
     return WatchToEnd(session, job->name());
   }
-  return PrintJob(job, session.format);
+  const int printed = PrintJob(job, session.format);
+  if (job.ok() && session.format == OutputFormat::kTable) {
+    const std::string address = args.IsGiven("coordinator") ? " --coordinator " + args.Text("coordinator") : "";
+    std::printf("\nfollow it: tilemend watch %s%s\n", job->name().c_str(), Printable(address).c_str());
+  }
+  return printed;
 }
 
 std::string RequestIdFromFlags(const Args& args) {

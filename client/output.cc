@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "absl/strings/ascii.h"
@@ -169,15 +171,17 @@ std::string JobText(const v1::Job& job, OutputFormat format) {
   if (format == OutputFormat::kJson) return Dump(JobJson(job));
   const v1::Progress& p = job.progress();
   const bool is_dry = job.spec().dry_run();  // nothing is filled
-  std::vector<std::vector<std::string>> rows = {
-      {"state", StateText(job)},
-      {"scene", job.spec().scene()},
-      {"out", job.spec().out()},
-      {"surface", SurfaceText(job.spec())},
-      {"phase", p.phase()},
-      {"cells", is_dry ? absl::StrCat(p.cells()) : Share(p.cells_done(), p.cells())},
-      {"holes", is_dry ? absl::StrCat(p.holes()) : Share(p.holes_filled(), p.holes())},
-      {"tasks", Share(p.tasks_done(), p.tasks())}};
+  std::vector<std::vector<std::string>> rows = {{"state", StateText(job)},
+                                                {"scene", job.spec().scene()},
+                                                {"out", job.spec().out()},
+                                                {"surface", SurfaceText(job.spec())}};
+  if (!p.phase().empty()) rows.push_back({"phase", p.phase()});
+  for (const auto& [name, part, whole] : {std::tuple("cells", p.cells_done(), p.cells()),
+                                          {"holes", p.holes_filled(), p.holes()},
+                                          {"tasks", p.tasks_done(), p.tasks()}}) {
+    const bool is_whole = is_dry && std::string_view(name) != "tasks";
+    if (whole > 0) rows.push_back({name, is_whole ? absl::StrCat(whole) : Share(part, whole)});
+  }
   if (job.priority() != 0) rows.push_back({"priority", absl::StrCat(job.priority())});
   if (!job.waiting().empty()) rows.push_back({"waiting", job.waiting()});
   const absl::Time created = absl::FromUnixSeconds(job.create_time().seconds());

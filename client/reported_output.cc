@@ -128,6 +128,9 @@ void AddRims(const Json& holes, const Point2& origin, ReportedOutput& reported) 
     if (rim != rims.end()) AddRings(coordinates, origin, kDepth, rim->second);
     if (rim == rims.end() && Member(Member(feature, "properties"), "outcome") == "filled") {
       AddRings(coordinates, origin, kDepth, reported.filled_rims);
+      const ReportedOutput::RimOwner owner{static_cast<int64_t>(Number(number)),
+                                           Text(Member(Member(feature, "properties"), "cell"))};
+      reported.filled_rim_owners.resize(reported.filled_rims.size(), owner);
     }
   }
   for (ReportedOutput::Left& left : reported.left) {

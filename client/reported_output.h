@@ -34,8 +34,15 @@ struct ReportedOutput {
     WaterHole fill;
   };
 
+  // The hole that a boundary is of.
+  struct RimOwner {
+    int64_t hole = 0;
+    std::string cell;  // as ToString has it
+  };
+
   std::vector<Left> left;
   std::vector<std::vector<Point2>> filled_rims;  // boundaries of holes that were filled, from above
+  std::vector<RimOwner> filled_rim_owners;       // by boundary
   std::map<CellId, std::vector<Water>> water;
   std::map<CellId, int64_t> cleared;  // triangles taken out
   std::map<CellId, double> filled;    // m2 of its holes that were filled

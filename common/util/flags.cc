@@ -162,8 +162,15 @@ std::string DidYouMean(const std::string& word, const std::vector<std::string>& 
   const auto nearest = std::min_element(names.begin(), names.end(), [&word](const auto& a, const auto& b) {
     return EditDistance(word, a) < EditDistance(word, b);
   });
-  if (nearest == names.end() || EditDistance(word, *nearest) > std::max<size_t>(2, word.size() / 4)) return "";
-  return absl::StrCat("; did you mean ", *nearest, "?");
+  if (nearest == names.end() || word.empty()) return "";
+  std::string meant;
+  if (EditDistance(word, *nearest) <= std::max<size_t>(2, word.size() / 4)) {
+    meant = *nearest;
+  } else {
+    const auto begins_with_word = [&word](const std::string& name) { return name.starts_with(word); };
+    if (std::ranges::count_if(names, begins_with_word) == 1) meant = *std::ranges::find_if(names, begins_with_word);
+  }
+  return meant.empty() ? "" : absl::StrCat("; did you mean ", meant, "?");
 }
 
 std::string FlagsHelp(const std::vector<FlagSpec>& specs, size_t columns, bool all) {

@@ -36,6 +36,7 @@
 #include "coordinator/jobs/task_reuse.h"
 #include "coordinator/report/area_choice.h"
 #include "coordinator/report/left_open.h"
+#include "coordinator/report/plan_warnings.h"
 #include "coordinator/report/scene_geojson.h"
 #include "coordinator/report/scene_report.h"
 #include "coordinator/report/scene_sight.h"
@@ -153,13 +154,16 @@ struct Steps {
   Stopwatch watch;
   std::vector<std::pair<std::string, double>> seconds;
   std::shared_ptr<SceneSight> sight;
-  int64_t holes = 0;    // in the cells that were chosen, of the plan
-  absl::Status levels;  // CheckLevels, once the surface is known
+  int64_t holes = 0;   // in the cells that were chosen, of the plan
+  absl::Status areas;  // CheckLevels, once the surface is known, and CheckDecisions, once the holes are
 
   void End(std::string_view step, const SceneWaves& waves) {
     seconds.emplace_back(step, watch.Lap());
-    if (step == "survey") levels = CheckLevels(waves.options().plan.water.areas, waves.survey().records());
-    if (step == "plan") sight->SetPlan(waves.plan(), waves.outcome().chosen);
+    if (step == "survey") areas = CheckLevels(waves.options().plan.water.areas, waves.survey().records());
+    if (step == "plan") {
+      areas.Update(CheckDecisions(waves.plan()));
+      sight->SetPlan(waves.plan(), waves.outcome().chosen);
+    }
     holes = std::ranges::count_if(waves.plan().holes,
                                   [&](const PlannedHole& hole) { return waves.options().IsChosen(hole.cell); });
   }
@@ -308,7 +312,7 @@ class ScenePipeline : public JobPipeline {
     size_t bytes = 0;
     while (bytes < kEnoughBytes && tasks.size() < kEnoughTasks && tasks_out_ < kMostTasksOut) {
       std::optional<SceneWork> next = waves_.Next();
-      TILEMEND_RETURN_IF_ERROR(steps_.levels);
+      TILEMEND_RETURN_IF_ERROR(steps_.areas);
       if (!next) break;
       if (end_.is_cancelled()) return absl::CancelledError("the job was cancelled");
       if (std::holds_alternative<AssembleWork>(*next) && !std::exchange(writing_, true)) {
@@ -377,9 +381,8 @@ class ScenePipeline : public JobPipeline {
     TILEMEND_RETURN_IF_ERROR(WriteScene(scene, *output_));
     output_->Adopt(tasks_.files().Carried());
     if (const int64_t others = output_->TidyUp(); others > 0) {
-      absl::StrAppend(
-          &outcome.message, "; ", others,
-          others == 1 ? " other in the folder left as it was" : " others in the folder left as they were");
+      absl::StrAppend(&outcome.message, "; ", others,
+                      others == 1 ? " other in the folder left as it was" : " others in the folder left as they were");
     }
     const std::string folder = output_->path() + "/";
     TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(folder + "holes.geojson", HolesGeoJson(report, scene)));

@@ -86,4 +86,17 @@ std::vector<std::string> PlanWarnings(const Plan& plan) {
   return warnings;
 }
 
+absl::Status CheckDecisions(const Plan& plan) {
+  size_t decisions = 0;
+  for (const WaterAnswer& answer : plan.water_answers) {
+    if (answer.decision == ReviewDecision::kNone) continue;
+    if (answer.is_over_hole) return absl::OkStatus();
+    ++decisions;
+  }
+  if (decisions == 0) return absl::OkStatus();
+  return absl::InvalidArgumentError(
+      absl::StrFormat("none of the %d decisions applies: no hole lies under %s; is the file of another scene?",
+                      decisions, decisions == 1 ? "it" : "them"));
+}
+
 }  // namespace tilemend

@@ -1,6 +1,7 @@
 """Meshes of other libraries. None of them is imported unless its object comes in."""
 from __future__ import annotations
 
+import os
 from typing import Any, Callable, Dict, Optional, Tuple
 
 import numpy as np
@@ -36,6 +37,9 @@ def fill_mesh(mesh: Any, *, return_filled: bool = False, progress: Optional[Fill
         As `fill`.
     """
     kind = _kind_of(mesh)
+    if isinstance(mesh, (str, bytes, os.PathLike)):
+        raise TypeError('fill_mesh takes a mesh object, not a path; read the file first, as with meshio.read; '
+                        'examples/python/fill_file.py does it')
     if kind is None:
         raise TypeError(f'{type(mesh).__module__}.{type(mesh).__name__} is no trimesh.Trimesh, meshio.Mesh, '
                         'open3d.geometry.TriangleMesh or pyvista.PolyData; give arrays to tilemend.fill')

@@ -1,4 +1,4 @@
-"""Exceptions. Each has the text for people and, where there is one, a reason for programs."""
+"""Exceptions. Each has the text for people and a reason for programs."""
 from __future__ import annotations
 
 import re
@@ -16,50 +16,71 @@ class Error(Exception):
     """What tilemend could not do.
 
     Attributes:
-        reason: a word that never changes, as "INVALID_SPEC" or "OUTPUT_EXISTS"; "" if there is none.
+        reason: a word that never changes, as "INVALID_SPEC" or "OUTPUT_EXISTS"; that of the class where there is no
+            closer one.
         metadata: facts for programs, by name ("field", "job").
     """
 
+    _REASON = 'OTHER'  # of errors without a closer one
+
     def __init__(self, message: str, reason: str = '', metadata: Optional[Dict[str, str]] = None) -> None:
         super().__init__(message)
-        self.reason = reason
+        self.reason = reason or self._REASON
         self.metadata = dict(metadata or {})
 
 
 class InvalidInput(Error, ValueError):
     """An array, an option or a file is not what it should be; the text says where and what was expected."""
 
+    _REASON = 'INVALID_INPUT'
+
 
 class NotFound(Error, LookupError):
     """There is no such file, scene or job."""
+
+    _REASON = 'NOT_FOUND'
 
 
 class NotAllowed(Error, PermissionError):
     """Who calls may not do that, or is not known; or a file may not be read."""
 
+    _REASON = 'NOT_ALLOWED'
+
 
 class Conflict(Error):
     """Not now, or not as it is: the job is over, the output exists, another job writes there."""
+
+    _REASON = 'CONFLICT'
 
 
 class AlreadyExists(Conflict, FileExistsError):
     """The output or the file is there already, and may not be replaced."""
 
+    _REASON = 'ALREADY_EXISTS'
+
 
 class TooMuch(Error):
     """More than there is room for: jobs, calls, memory. Try again later."""
+
+    _REASON = 'TOO_MUCH'
 
 
 class Unavailable(Error, ConnectionError):
     """The coordinator cannot be reached."""
 
+    _REASON = 'UNAVAILABLE'
+
 
 class TimedOut(Error, TimeoutError):
     """The job is not over after the time that `wait` had. It goes on."""
 
+    _REASON = 'TIMED_OUT'
+
 
 class Cancelled(Error):
     """The work was cancelled."""
+
+    _REASON = 'CANCELLED'
 
 
 class JobFailed(Error):
@@ -68,6 +89,8 @@ class JobFailed(Error):
     Attributes:
         job: the job as it ended (tilemend.Job).
     """
+
+    _REASON = 'JOB_FAILED'
 
     job: 'Job'
 

@@ -106,12 +106,18 @@ TEST(CarriedFilesTest, MaterialFilesMayBeLongerAndImagesMayNot) {
 
 TEST(AcceptanceTextTest, TheVerdictNamesTheFaultsAlone) {
   Acceptance acceptance;
-  acceptance.findings = {{"open_edges", "new open edges", true, 2, {{{1, 2}, Point3(3, 4, 5), ""}}},
+  acceptance.findings = {{"open_edges", "new open edges", true, 2, {{{1, 2}, Point3(3, 4, 5), "", 20}}},
                          {"left_holes", "holes left open, as reported", false, 4, {}}};
   EXPECT_EQ(VerdictOf(acceptance), "not accepted: 2 new open edges");
-  EXPECT_THAT(AcceptanceText(acceptance), HasSubstr("[3.00,4.00,5.00] in cell 1,2\n             and 1 more"));
-  EXPECT_THAT(AcceptanceCsv(acceptance), HasSubstr("open_edges,yes,1,2,3.0000,4.0000,5.0000,\r\n"));
+  EXPECT_THAT(AcceptanceText(acceptance), HasSubstr("[3.00,4.00,5.00] in cell 1,2, hole 20\n             and 1 more"));
+  EXPECT_THAT(AcceptanceCsv(acceptance), HasSubstr("open_edges,yes,1,2,3.0000,4.0000,5.0000,20,\r\n"));
   EXPECT_EQ(AcceptanceJson(acceptance)["findings"]["open_edges"]["places"][0]["cell"], nlohmann::ordered_json({1, 2}));
+  EXPECT_EQ(AcceptanceJson(acceptance)["findings"]["open_edges"]["places"][0]["hole"], 20);
+  EXPECT_THAT(AcceptanceText(acceptance), HasSubstr("what to do: user guide, \"If an output is not accepted\""));
+  acceptance.findings[0].places[0].hole.reset();
+  EXPECT_THAT(AcceptanceText(acceptance), HasSubstr("[3.00,4.00,5.00] in cell 1,2\n"));
+  EXPECT_THAT(AcceptanceCsv(acceptance), HasSubstr("3.0000,4.0000,5.0000,,\r\n"));
+  EXPECT_FALSE(AcceptanceJson(acceptance)["findings"]["open_edges"]["places"][0].contains("hole"));
   acceptance.findings[0].count = 0;
   EXPECT_THAT(VerdictOf(acceptance), testing::StartsWith("accepted"));
 }

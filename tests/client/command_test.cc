@@ -310,6 +310,13 @@ TEST_F(ClusterCommandTest, ARequestThatHasANameWaitsForACoordinatorThatStartsAga
   EXPECT_EQ(submitted.code, 0) << submitted.err;
 }
 
+TEST_F(ClusterCommandTest, AJobThatIsNotWaitedForNamesTheNextCommand) {
+  const Ended submitted = RunWith({"submit", "toy://2x2", "--out", folder_ / "out"});
+  EXPECT_EQ(submitted.code, 0) << submitted.err;
+  EXPECT_THAT(submitted.out, HasSubstr("follow it: tilemend watch jobs/"));
+  EXPECT_THAT(submitted.out, HasSubstr(" --coordinator " + address_ + "\n"));
+}
+
 TEST_F(ClusterCommandTest, JobsArePausedResumedAndPrioritized) {
   const auto job = nlohmann::json::parse(
       RunWith({"submit", "toy://2x2", "--out", folder_ / "out", "--priority", "-4", "-o", "json"}).out);

@@ -84,6 +84,18 @@ TEST(JobTextTest, ADryRunFillsNothingSoNothingIsLeftToDo) {
   EXPECT_THAT(JobText(job, OutputFormat::kTable), HasSubstr("holes    0/32\n"));
 }
 
+TEST(JobTextTest, LeavesOutWhatIsNotKnownYet) {
+  v1::Job job;
+  job.set_state(v1::RUNNING);
+  const std::string begun = JobText(job, OutputFormat::kTable);
+  for (const char* name : {"phase", "cells", "holes", "tasks"}) EXPECT_THAT(begun, Not(HasSubstr(name)));
+  job.mutable_progress()->set_phase("survey");
+  job.mutable_progress()->set_tasks(4);
+  const std::string later = JobText(job, OutputFormat::kTable);
+  EXPECT_THAT(later, HasSubstr("phase    survey\n"));
+  EXPECT_THAT(later, HasSubstr("tasks    0/4\n"));
+}
+
 TEST(JobsTextTest, KeepsToEightyColumns) {
   const std::string text = JobsText({LongJob()}, OutputFormat::kTable, 80);
   ExpectLinesWithin(text, 80);

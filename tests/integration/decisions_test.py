@@ -18,6 +18,7 @@ from city_test import skip, tool
 CITY = ['--cols', '4', '--rows', '3', '--cell', '80', '--seed', '3', '--no-objects']
 RAISED = 0.5  # metres
 LEFT = 'left open by decision'
+OVER_NO_HOLE = [[[[500000 + x, 4100000 + y] for x, y in ((1, 1), (2, 1), (2, 2), (1, 1))]]]  # metres, in the CRS of the city
 
 
 def fail(why):
@@ -135,6 +136,12 @@ def check_refusals(tilemend, scene, out, marks, folder):
             json.dump({'type': 'FeatureCollection', 'crs': holes.holes['crs'], 'features': [feature]}, file)
         text = run(tilemend, 'run', scene, '--out', out, '--decisions', wrong, codes=(4,))
         expect(words in text and tiles_of(out) == tiles, f'a wrong file: {text}')
+    elsewhere = Marks(out)
+    elsewhere.add_polygons(3, 'accept', None, OVER_NO_HOLE)
+    file = elsewhere.write(os.path.join(folder, 'elsewhere.geojson'))
+    for command in (('run', scene, '--out', out), ('inspect', scene)):
+        text = run(tilemend, *command, '--decisions', file, codes=(4,))
+        expect('is the file of another scene?' in text and tiles_of(out) == tiles, f'decisions on another scene: {text}')
 
 
 def check_accepting(tilemend, scene, out, file, before, tiles):
@@ -158,7 +165,7 @@ def check_reruns(tilemend, folder):
     level = lake['level_m'] + RAISED
     marks = Marks(out)
     marks.add(lake, 'water', level)
-    marks.add_polygons(999, 'accept', None, [[[[500000 + x, 4100000 + y] for x, y in ((1, 1), (2, 1), (2, 2), (1, 1))]]])
+    marks.add_polygons(999, 'accept', None, OVER_NO_HOLE)
     file = marks.write(os.path.join(folder, 'marks.geojson'))
 
     # Nothing but the lake's tiles is written again.

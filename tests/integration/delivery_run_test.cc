@@ -62,7 +62,7 @@ TEST_F(DeliveryRunTest, AnOutputIsAccepted) {
   const Ended table = Tilemend({"check", folder_ / "scene", folder_ / "out"});
   EXPECT_EQ(table.code, 0);
   EXPECT_THAT(table.out, StartsWith("accepted: all "));
-  EXPECT_THAT(Read("a.csv"), StartsWith("what,fault,column,row,x,y,z,note\r\n"));
+  EXPECT_THAT(Read("a.csv"), StartsWith("what,fault,column,row,x,y,z,hole,note\r\n"));
 }
 
 TEST_F(DeliveryRunTest, AFillLargerThanItsHoleIsFound) {

@@ -175,7 +175,7 @@ class ClientTest(unittest.TestCase):
             expect(tilemend.Conflict, 'OUTPUT_IN_USE', client.submit, scene, out)
             expect(tilemend.Conflict, 'JOB_NOT_OVER', client.retry, job)
             client.cancel(job)
-            failed = expect(tilemend.JobFailed, '', client.wait, job)
+            failed = expect(tilemend.JobFailed, 'JOB_FAILED', client.wait, job)
             self.assertEqual(failed.job.state, 'CANCELLED')
             expect(tilemend.Conflict, 'JOB_OVER', client.pause, job)
 

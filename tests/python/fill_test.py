@@ -5,7 +5,9 @@ Adapters are tested with the libraries that are installed; the others are named 
 """
 import json
 import os
+import pathlib
 import random
+import re
 import signal
 import subprocess
 import sys
@@ -194,7 +196,19 @@ class ErrorTest(unittest.TestCase):
             faces[5, 2] = index
             error = self.expect(ValueError, f'faces[5, 2] is {index}: expected an index from 0 to 48', faces=faces)
             self.assertIsInstance(error, tilemend.Error)
+            self.assertEqual(error.reason, 'INVALID_INPUT')
         self.expect(ValueError, f'faces[0, 0] is {2**64 - 1}', faces=np.full((1, 3), 2**64 - 1, np.uint64))
+
+    def test_every_error_has_a_reason(self):
+        for kind in (tilemend.Error, tilemend.InvalidInput, tilemend.NotFound, tilemend.NotAllowed, tilemend.Conflict,
+                     tilemend.AlreadyExists, tilemend.TooMuch, tilemend.Unavailable, tilemend.TimedOut, tilemend.Cancelled,
+                     tilemend.JobFailed):
+            name = 'Other' if kind is tilemend.Error else kind.__name__
+            self.assertEqual(kind('why').reason, re.sub('(?<=[a-z])(?=[A-Z])', '_', name).upper())
+            self.assertEqual(kind('why', 'INVALID_SPEC').reason, 'INVALID_SPEC')
+        with self.assertRaises(tilemend.NotFound) as caught:
+            tilemend.read_report('/nowhere')
+        self.assertEqual(caught.exception.reason, 'NOT_FOUND')
 
     def test_checks_options_as_the_command_line_does(self):
         error = self.expect(tilemend.InvalidInput, "gradation '0.5': expected a number from 1 to 10", gradation=0.5)
@@ -206,6 +220,7 @@ class ErrorTest(unittest.TestCase):
         self.expect(ValueError, 'gradation: uniform', uniform=True, gradation=2)
         self.expect(ValueError, 'tension: the filler minimum-area has none', filler='minimum-area', tension=1)
         self.expect(ValueError, 'gradatoin: there is no such option; did you mean gradation?', gradatoin=2)
+        self.expect(ValueError, 'largest: there is no such option; did you mean largest_hole?', largest=5)
         self.expect(ValueError, 'out: arrays have no such option', out='file.ply')
         self.expect(ValueError, 'expected', filler='magic')
         self.expect(TypeError, 'tension: has type list', tension=[1])
@@ -393,6 +408,9 @@ class AdapterTest(unittest.TestCase):
     def test_anything_else_is_refused_by_name(self):
         with self.assertRaisesRegex(TypeError, 'builtins.dict is no trimesh.Trimesh, meshio.Mesh'):
             tilemend.fill_mesh({})
+        for path in ('a.ply', pathlib.Path('a.ply')):
+            with self.assertRaisesRegex(TypeError, 'takes a mesh object, not a path; .*meshio.read'):
+                tilemend.fill_mesh(path)
 
     def test_tables(self):
         need(self, 'pandas')

@@ -190,6 +190,7 @@ struct WaterAnswer {
   std::string doubt = {};                           // not empty: taken, but likely wrong
   std::optional<double> clear_height = {};          // of an area with `clear`
   ReviewDecision decision = ReviewDecision::kNone;  // of the area
+  bool is_over_hole = true;                         // it covers some of a hole
 };
 
 struct LeftOpen {

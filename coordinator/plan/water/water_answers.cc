@@ -134,8 +134,10 @@ class Answers {
         most = covered;
       }
       answer.taken = !answer.holes.empty();
+      answer.is_over_hole = !shares_[a].empty();
       if (shares_[a].empty()) answer.reason = "no hole lies under it";
-      if (!answer.taken && answer.water && !areas_[a].clear && CoversNoWaterHole(a)) answer.reason += kMaybeSurface;
+      const bool may_clear = answer.water && !areas_[a].clear && answer.decision == ReviewDecision::kNone;
+      if (!answer.taken && may_clear && CoversNoWaterHole(a)) answer.reason += kMaybeSurface;
       if (!answer.taken && !areas_[a].cleared_cells.empty()) answer.reason += kTakenOut;
       if (answer.taken && answer.water) {
         answer.doubt = areas_[a].level ? DoubtOfLevel(areas_[a], answer) : DoubtOfShore(answer);

@@ -96,6 +96,9 @@ TEST(DidYouMeanTest, NamesTheNearestIfItIsNear) {
   EXPECT_EQ(DidYouMean("inspectoins", {"run", "inspections"}), "; did you mean inspections?");
   EXPECT_EQ(DidYouMean("demolish", {"run", "fill"}), "");
   EXPECT_EQ(DidYouMean("run", {}), "");
+  EXPECT_EQ(DidYouMean("largest", {"water", "largest_hole"}), "; did you mean largest_hole?");
+  EXPECT_EQ(DidYouMean("largest", {"largest_lake", "largest_hole"}), "");
+  EXPECT_EQ(DidYouMean("", {"largest_hole"}), "");
 }
 
 TEST(FlagsHelpTest, HasALineForEachFlag) {

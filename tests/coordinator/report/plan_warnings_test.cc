@@ -33,6 +33,21 @@ TEST(PlanWarningsTest, ADecisionIsNoPolygonForAReader) {
                                               "decision on hole 4 is not taken: no hole lies under it"));
 }
 
+TEST(CheckDecisionsTest, RefusesDecisionsOfWhichNoneLiesOverAHole) {
+  Plan plan;
+  EXPECT_TRUE(CheckDecisions(plan).ok());
+  plan.water_answers.assign(3, {"feature", true, false, {}, "no hole lies under it"});
+  for (WaterAnswer& answer : plan.water_answers) answer.is_over_hole = false;
+  EXPECT_TRUE(CheckDecisions(plan).ok());  // polygons of --water
+  plan.water_answers[1].decision = plan.water_answers[2].decision = ReviewDecision::kAccept;
+  const absl::Status refused = CheckDecisions(plan);
+  EXPECT_TRUE(absl::IsInvalidArgument(refused));
+  EXPECT_THAT(std::string(refused.message()),
+              HasSubstr("none of the 2 decisions applies: no hole lies under them; is the file of another scene?"));
+  plan.water_answers[2].is_over_hole = true;  // not taken, but of this scene
+  EXPECT_TRUE(CheckDecisions(plan).ok());
+}
+
 TEST(PlanWarningsTest, SaysThatNoHoleLiesInTheArea) {
   Plan plan;
   EXPECT_THAT(PlanWarnings(plan), IsEmpty());

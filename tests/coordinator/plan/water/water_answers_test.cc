@@ -144,6 +144,17 @@ TEST_F(WaterAnswersTest, WhereThereIsNoHoleTheWaterMayBeThereAsSurface) {
   }
 }
 
+TEST_F(WaterAnswersTest, ADecisionOverNoHoleIsNoPolygonOfWater) {
+  AddHole(HoleKind::kOpenI, Box(60, 0, 70, 10)).water = 0;
+  std::vector<WaterArea> areas = {{true, {{Box(80, 0, 90, 10)}}}, {true, {{Box(60, 0, 63, 10)}}}};
+  for (WaterArea& area : areas) area.decision = ReviewDecision::kWater;
+  const auto& answers = Answer(areas);
+  EXPECT_EQ(answers[0].reason, "no hole lies under it");
+  EXPECT_FALSE(answers[0].is_over_hole);
+  EXPECT_FALSE(answers[1].taken);
+  EXPECT_TRUE(answers[1].is_over_hole);
+}
+
 TEST_F(WaterAnswersTest, ASmallHoleDoesNotHideALargeOneThatIsNotTaken) {
   PlannedHole& pond = AddHole(HoleKind::kClosed, Box(0, 0, 1, 1));
   pond.water = 0;
