@@ -178,8 +178,11 @@ std::shared_ptr<const std::string> TextOf(const Json& json) {
 
 LoadedValues<std::string>::Result LoadHoles(const std::string& name, const JobSpec& spec, const std::stop_token& stop) {
   TILEMEND_ASSIGN_OR_RETURN(const Json report, ReadReport(name, spec, stop));
-  return TextOf(
-      {{"holeCount", HoleRowsOf(report).size()}, {"holes", PageHoles(report, kMostListedHoles)}, {"planned", false}});
+  const Json& warnings = Member(report, "warnings");
+  return TextOf({{"holeCount", HoleRowsOf(report).size()},
+                 {"holes", PageHoles(report, kMostListedHoles)},
+                 {"planned", false},
+                 {"warnings", warnings.is_array() ? warnings : Json::array()}});
 }
 
 // The height of the levels' zero is that of the scene.json that says where the tiles lie.

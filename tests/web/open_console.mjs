@@ -167,6 +167,16 @@ const written = await tab.waitForFunction(() => document.querySelectorAll('svg.m
   { timeout: 20000 }).catch(() => null);
 expect(written, 'after a restart cells are not shown as written');
 
+// The warnings of the report stand at the top of the job.
+await tab.route('**/holes', async (route) => {
+  const answer = await route.fetch();
+  await route.fulfill({ json: { ...await answer.json(), warnings: ['one <b>', 'two'] } });
+});
+await tab.waitForSelector('.jobview .warnings li', { timeout: 20000 })
+  .catch(() => expect(false, 'the warnings of the report are not shown'));
+expect(await tab.locator('.jobview > h2 + div .warnings li').count() === 2, 'the warnings do not stand at the top of the job');
+await tab.unroute('**/holes');
+
 // An output that a later job has written is not shown as that of this one.
 await tab.route('**/holes', (route) => route.fulfill({ status: 409, json: { error: {
   code: 'ABORTED', message: 'its output was written again by jobs/b; look there', reason: 'OUTPUT_REPLACED', metadata: {} } } }));

@@ -28,7 +28,7 @@ export interface Cells {
   hasTiles: boolean; isRemembered: boolean; cells: string; held: [number, number][]; failures: Failure[];
 }
 
-export interface Holes { holeCount: number; holes: Hole[]; planned: boolean }
+export interface Holes { holeCount: number; holes: Hole[]; planned: boolean; warnings?: string[] }
 
 export interface JobReview { scene: string | null; date: string | null; look_at: LookAt[] | null; review: Review }
 

@@ -6,6 +6,7 @@ import { holesTable, levelText } from './holes';
 import { cellMap } from './map';
 import { MARK_NAME, pictures } from './pictures';
 import { reviewQueue } from './review';
+import { warningList } from './warnings';
 
 function verdict(report: Report): HTMLElement {
   const left = report.cells.reduce((sum, cell) => sum + cell[3], 0);
@@ -16,15 +17,6 @@ function verdict(report: Report): HTMLElement {
   const next = [left > 0 ? 'The holes that were left have their reasons in the table.' : '',
     looks > 0 ? `${counted(looks, 'place')} to look at.` : ''].filter(Boolean).join(' ');
   return el('div', { class: left > 0 ? 'verdict open' : 'verdict' }, el('strong', {}, text), ...(next ? [el('span', {}, next)] : []));
-}
-
-const MOST_WARNINGS = 5; // that are not folded
-
-function warnings(texts: string[]): HTMLElement {
-  const list = el('ul', {}, ...texts.map((text) => el('li', {}, text)));
-  const title = counted(texts.length, 'warning');
-  return texts.length > MOST_WARNINGS ? el('details', { class: 'warnings' }, el('summary', {}, title), list)
-    : el('section', { class: 'warnings' }, el('h2', {}, title), list);
 }
 
 function facts(report: Report): HTMLElement {
@@ -89,7 +81,7 @@ function build(report: Report): HTMLElement[] {
     el('header', {}, el('h1', {}, 'tilemend report'),
       el('p', { class: 'quiet' }, [report.scene, report.date, report.version && `release ${report.version}`].filter(Boolean).join(' \u00b7 ')),
       el('button', { type: 'button', class: 'print', click: () => window.print() }, 'Print or save as PDF')),
-    verdict(report), ...(report.warnings?.length ? [warnings(report.warnings)] : []), facts(report)];
+    verdict(report), ...(report.warnings?.length ? [warningList(report.warnings)] : []), facts(report)];
   parts.push(section('Cells', cellMap(report, holes.showCell)));
   const review = report.review;
   if (review?.items.length) parts.push(section('Review', reviewQueue(report, review, decisionsCommand(report))));
