@@ -169,8 +169,8 @@ expect(written, 'after a restart cells are not shown as written');
 
 // The warnings of the report stand at the top of the job.
 await tab.route('**/holes', async (route) => {
-  const answer = await route.fetch();
-  await route.fulfill({ json: { ...await answer.json(), warnings: ['one <b>', 'two'] } });
+  const answer = await route.fetch({ headers: { ...route.request().headers(), 'if-none-match': '' } });
+  await route.fulfill(answer.ok() ? { json: { ...await answer.json(), warnings: ['one <b>', 'two'] } } : { response: answer });
 });
 await tab.waitForSelector('.jobview .warnings li', { timeout: 20000 })
   .catch(() => expect(false, 'the warnings of the report are not shown'));

@@ -1,6 +1,7 @@
 // One job: its map as it goes, its holes, its failures, its review queue, and its cells before and after.
 import type { WebGLRenderer } from 'three';
 import { ApiError, type Cells, get, type Holes, type Job, type JobReview, type LogLines } from './api';
+import { decisionsCommand } from './command';
 import type { Hole } from './data';
 import { el } from './dom';
 import { Failures } from './failures';
@@ -177,8 +178,8 @@ export class JobView {
       const button = el('button', { type: 'button', click: () => this.showPicture(cell, hole, button) }, 'show before and after');
       parts.push(button);
     }
-    if (hole?.doubt && !this.holes?.planned) {
-      parts.push(el('button', { type: 'button', class: 'toreview', click: () => void this.showReview(hole) }, 'decide on it in the review queue'));
+    if ((hole?.doubt || hole?.decision) && !this.holes?.planned) {
+      parts.push(el('button', { type: 'button', class: 'toreview', click: () => void this.showReview(hole) }, hole.decision ? 'see the decisions' : 'decide on it in the review queue'));
     }
     this.card?.dispose();
     this.card = null;
@@ -226,13 +227,14 @@ export class JobView {
       return;
     }
     const row = this.reviewBox.querySelector<HTMLElement>(`tr[data-hole="${this.reviewed.get(hole.id) ?? ''}"]`);
-    row?.scrollIntoView({ block: 'center' });
+    (row ?? this.reviewBox).scrollIntoView({ block: row ? 'center' : 'start' });
     row?.focus();
   }
 
   private async readReview(): Promise<void> {
     const { review, ...report } = await get<JobReview>(`/v1/${this.name}/review`);
-    this.reviewBox.replaceChildren(el('h2', {}, 'Review'), reviewQueue(report, review));
+    this.reviewBox.replaceChildren(el('h2', {}, 'Review'), reviewQueue(report, review, decisionsCommand(report, 'submit'),
+      'FILE is the path of the downloaded file in a folder that coordinator and workers may read (--root).'));
     for (const item of review.items) {
       for (const id of item.holes) this.reviewed.set(id, item.hole);
     }

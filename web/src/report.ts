@@ -84,7 +84,7 @@ function build(report: Report): HTMLElement[] {
     verdict(report), ...(report.warnings?.length ? [warningList(report.warnings)] : []), facts(report)];
   parts.push(section('Cells', cellMap(report, holes.showCell)));
   const review = report.review;
-  if (review?.items.length) parts.push(section('Review', reviewQueue(report, review, decisionsCommand(report))));
+  if (review && (review.items.length > 0 || (review.decided ?? 0) > 0)) parts.push(section('Review', reviewQueue(report, review, decisionsCommand(report))));
   const queued = new Set(review?.items.map((item) => item.hole));
   const others = (report.look_at ?? []).filter((look) => !queued.has(look.hole ?? -1));
   if (others.length) parts.push(section('Places to look at', looks(others)));
