@@ -100,7 +100,10 @@ TEST(WorkersTextTest, TellsTasksThatWaitFromThoseThatRun) {
 }
 
 TEST(DurationTextTest, HasTwoUnitsAtMost) {
-  EXPECT_EQ(DurationText(absl::Seconds(-3)), "0 s");
+  EXPECT_EQ(DurationText(absl::Seconds(-3)), "less than 1 s");
+  EXPECT_EQ(DurationText(absl::Milliseconds(499)), "less than 1 s");
+  EXPECT_EQ(DurationText(absl::Milliseconds(1190)), "1 s");
+  EXPECT_EQ(DurationText(absl::Milliseconds(59600)), "1 min 00 s");
   EXPECT_EQ(DurationText(absl::Seconds(59)), "59 s");
   EXPECT_EQ(DurationText(absl::Seconds(125)), "2 min 05 s");
   EXPECT_EQ(DurationText(absl::Minutes(47 * 60 + 5)), "47 h 05 min");
