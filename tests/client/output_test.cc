@@ -34,7 +34,7 @@ v1::WorkerInfo LongWorker() {
   worker.set_threads(64);
   worker.set_tasks(64);
   worker.mutable_first_seen()->set_seconds(absl::ToUnixSeconds(absl::Now() - absl::Minutes(65)));
-  worker.mutable_last_seen()->set_seconds(absl::ToUnixSeconds(absl::Now()));
+  worker.mutable_last_seen()->set_seconds(absl::ToUnixSeconds(absl::Now()) + 1);  // so that it is "0 s" ago for long
   worker.set_release("0.1.0");
   worker.set_identity("worker");
   return worker;

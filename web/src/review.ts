@@ -1,7 +1,7 @@
 // The review queue: what a reviewer decides on fills in doubt. It is kept in the browser until it is downloaded.
 import { copyable } from './command';
 import type { LookAt, Outline, Report, Review, ReviewItem } from './data';
-import { counted, el, number } from './dom';
+import { areaText, counted, el, number } from './dom';
 import { unzip } from './unzip';
 
 const STEP = 50; // rows that are shown at once
@@ -154,7 +154,7 @@ class Row {
       title: `${hasLevelRim(item) ? '' : 'The rim is not known to be level. '}A height of the scene\u2019s CRS in metres. Without one the water gets the level of its shore.`,
       'aria-label': `level of ${name} [m]`, input: () => { this.store('water'); changed(); } });
     const text = (...parts: string[]) => parts.filter(Boolean).join('; ');
-    const cells = [String(rank), String(item.hole), (item.cell ?? []).join(', '), number(item.area_m2, 1), item.taken_for,
+    const cells = [String(rank), String(item.hole), (item.cell ?? []).join(', '), areaText(item.area_m2), item.taken_for,
       rimText(item, absolute), number(item.doubt_m, 3), number(item.doubt_m3, 1), text(item.reason, why)];
     this.element = el('tr', { tabindex: '0', 'aria-label': `${rank}, ${name}`, 'data-hole': String(item.hole) },
       ...cells.map((cell, i) => el('td', { class: [0, 1, 3, 5, 6, 7].includes(i) ? 'number' : '' }, cell)),
