@@ -6,8 +6,11 @@
 #include "coordinator/report/json_access.h"
 
 namespace tilemend {
+namespace {
 
 using Json = nlohmann::ordered_json;
+
+}  // namespace
 
 Json ChangedOptions(const Json& report) {
   Json defaults = Json::object(), changed = Json::object();

@@ -214,9 +214,9 @@ export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 
   function tell(): void {
     const bad = rows.find((row) => !row.isGood);
     const all = review.count > review.items.length ? ` (of ${number(review.count)} in doubt the ${number(review.items.length)} first)` : '';
-    status.textContent = bad ? `The level of hole ${bad.hole} is no number.`
+    status.textContent = rows.length === 0 ? '' : bad ? `The level of hole ${bad.hole} is no number.`
       : `${number(marks.size)} of ${counted(rows.length, 'fill')}${all} decided${marks.keeps ? '' : '; this browser does not keep decisions'}`;
-    if (undone.size > 0 && !bad) status.textContent += `; ${counted(undone.size, 'earlier decision')} undone`;
+    if (undone.size > 0 && !bad) status.textContent += `${status.textContent ? '; ' : ''}${counted(undone.size, 'earlier decision')} undone`;
     download.disabled = (marks.size === 0 && undone.size === 0) || bad !== undefined;
     forget.disabled = marks.size === 0;
   }
