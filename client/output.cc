@@ -32,9 +32,10 @@ std::string StateName(v1::JobState state) { return absl::AsciiStrToLower(v1::Job
 
 std::string TimeText(const google::protobuf::Timestamp& time) { return UtcText(absl::FromUnixSeconds(time.seconds())); }
 
-// Since then.
+// Since then, in a column: "0 s" takes less room.
 std::string AgeText(const google::protobuf::Timestamp& time) {
-  return DurationText(absl::Now() - absl::FromUnixSeconds(time.seconds()));
+  const absl::Duration age = absl::Now() - TimeOf(time);
+  return age < absl::Milliseconds(500) ? "0 s" : DurationText(age);
 }
 
 // As people say it: a job that is paused does not run.
@@ -74,8 +75,14 @@ std::string Dump(const Json& json) { return json.dump(2, ' ', false, Json::error
 
 }  // namespace
 
+absl::Time TimeOf(const google::protobuf::Timestamp& time) {
+  return absl::FromUnixSeconds(time.seconds()) + absl::Nanoseconds(time.nanos());
+}
+
 std::string DurationText(absl::Duration duration) {
-  const int64_t seconds = std::max<int64_t>(0, absl::ToInt64Seconds(duration));
+  constexpr absl::Duration kHalf = absl::Milliseconds(500);
+  if (duration < kHalf) return "less than 1 s";
+  const int64_t seconds = absl::ToInt64Seconds(duration + kHalf);
   if (seconds < 60) return absl::StrCat(seconds, " s");
   if (seconds < 3600) return absl::StrFormat("%d min %02d s", seconds / 60, seconds % 60);
   if (seconds < 48 * 3600) return absl::StrFormat("%d h %02d min", seconds / 3600, seconds / 60 % 60);
@@ -184,8 +191,8 @@ std::string JobText(const v1::Job& job, OutputFormat format) {
   }
   if (job.priority() != 0) rows.push_back({"priority", absl::StrCat(job.priority())});
   if (!job.waiting().empty()) rows.push_back({"waiting", job.waiting()});
-  const absl::Time created = absl::FromUnixSeconds(job.create_time().seconds());
-  const absl::Time end = job.has_end_time() ? absl::FromUnixSeconds(job.end_time().seconds()) : absl::Now();
+  const absl::Time created = TimeOf(job.create_time());
+  const absl::Time end = job.has_end_time() ? TimeOf(job.end_time()) : absl::Now();
   rows.push_back({"elapsed", DurationText(end - created)});
   if (!job.owner().empty()) rows.push_back({"owner", job.owner()});
   if (p.tasks_retried() > 0) rows.push_back({"retried", absl::StrCat(p.tasks_retried())});

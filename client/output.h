@@ -47,7 +47,10 @@ ExitCode PrintError(const absl::Status& status);
 // On stderr, one line each.
 void PrintWarnings(const std::vector<std::string>& warnings);
 
-// "12 s", "2 min 05 s", "1 h 02 min", "3 d 04 h".
+absl::Time TimeOf(const google::protobuf::Timestamp& time);
+
+// "less than 1 s", then to the nearest second "12 s", "2 min 05 s", "1 h 02 min", "3 d 04 h". durationText in
+// web/src/jobs.ts writes the same.
 std::string DurationText(absl::Duration duration);
 
 // "3/24", or "-" while the whole is not known.

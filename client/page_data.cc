@@ -2,12 +2,11 @@
 
 #include <map>
 #include <utility>
-#include <variant>
 
 #include "absl/strings/escaping.h"
 #include "absl/strings/str_cat.h"
 #include "client/csv.h"
-#include "common/options/job_options.h"
+#include "coordinator/report/changed_options.h"
 #include "coordinator/report/json_access.h"
 #include "coordinator/report/page_holes.h"
 
@@ -56,20 +55,6 @@ Json PicturesJson(const PagePictures& pictures) {
                     {"bytes", absl::Base64Escape(picture.bytes)}});
   }
   return rows;
-}
-
-// The options of the report that are not the defaults of `tilemend run`, to repeat the run with.
-Json ChangedOptions(const Json& report) {
-  Json defaults = Json::object(), changed = Json::object();
-  for (const ReportedOption& option : ReportedOptions(WithDefaults(v1::JobSpec()), kOfJobs)) {
-    std::visit([&](const auto& value) { defaults[option.name] = value; }, option.value);
-  }
-  const Json& options = Member(report, "options");
-  if (!options.is_object()) return changed;
-  for (const auto& [name, value] : options.items()) {
-    if (Member(defaults, name.c_str()) != value) changed[name] = value;
-  }
-  return changed;
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ std::string Beginning(const v1::Job& job, const char* otherwise) {
 
 std::string TimesText(const v1::Job& job, double share, absl::Time now) {
   constexpr double kLeastShare = 0.05;
-  const absl::Time end = job.has_end_time() ? absl::FromUnixSeconds(job.end_time().seconds()) : now;
-  const absl::Duration elapsed = end - absl::FromUnixSeconds(job.create_time().seconds());
+  const absl::Time end = job.has_end_time() ? TimeOf(job.end_time()) : now;
+  const absl::Duration elapsed = end - TimeOf(job.create_time());
   std::string text = ", " + DurationText(elapsed);
   if (job.has_end_time() || share <= kLeastShare) return text;
   return absl::StrCat(text, ", ", DurationText(elapsed * ((1 - share) / share)), " left");

@@ -103,12 +103,14 @@ absl::StatusOr<Json> PageReview(const Json& report, const std::string& holes, co
   const std::map<int64_t, int64_t> item_of = ItemsOfHoles(items);
   TILEMEND_ASSIGN_OR_RETURN(const Json geojson, ReadHoles(holes, item_of, stop));
   TILEMEND_ASSIGN_OR_RETURN(std::string outlines, Packed(OutlinesOf(geojson, item_of)));
-  TILEMEND_ASSIGN_OR_RETURN(std::string earlier, Packed(EarlierOf(geojson)));
+  const Json decided = EarlierOf(geojson);
+  TILEMEND_ASSIGN_OR_RETURN(std::string earlier, Packed(decided));
   return Json{{"count", count},
               {"items", std::move(items)},
               {"z", scene == nullptr ? Json() : Json(scene->origin.z())},
               {"crs", Member(geojson, "crs")},
               {"outlines", std::move(outlines)},
+              {"decided", decided.size()},
               {"earlier", std::move(earlier)}};
 }
 

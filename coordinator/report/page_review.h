@@ -22,6 +22,7 @@ inline constexpr size_t kMostReviewItems = 1000;
 //   crs       of `holes`
 //   outlines  base64 of gzip of an object: by hole number of the item a list of {hole, cluster, geometry}, one of each
 //             of its holes that has a polygon
+//   decided   count of `earlier`
 //   earlier   the same of a list: the features of decisions that were made before, as they were made. The next file
 //             has them too
 // kInvalidArgument if `holes` is no GeoJSON, kCancelled after a stop. Cost: linear; features of other holes are dropped

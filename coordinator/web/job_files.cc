@@ -26,6 +26,7 @@
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "common/util/tile_files.h"
+#include "coordinator/report/changed_options.h"
 #include "coordinator/report/json_access.h"
 #include "coordinator/report/page_holes.h"
 #include "coordinator/report/page_review.h"
@@ -178,8 +179,11 @@ std::shared_ptr<const std::string> TextOf(const Json& json) {
 
 LoadedValues<std::string>::Result LoadHoles(const std::string& name, const JobSpec& spec, const std::stop_token& stop) {
   TILEMEND_ASSIGN_OR_RETURN(const Json report, ReadReport(name, spec, stop));
-  return TextOf(
-      {{"holeCount", HoleRowsOf(report).size()}, {"holes", PageHoles(report, kMostListedHoles)}, {"planned", false}});
+  const Json& warnings = Member(report, "warnings");
+  return TextOf({{"holeCount", HoleRowsOf(report).size()},
+                 {"holes", PageHoles(report, kMostListedHoles)},
+                 {"planned", false},
+                 {"warnings", warnings.is_array() ? warnings : Json::array()}});
 }
 
 // The height of the levels' zero is that of the scene.json that says where the tiles lie.
@@ -191,6 +195,8 @@ LoadedValues<std::string>::Result LoadReview(const std::string& name, const JobS
   const auto scene = file.ok() ? LoadScene(*file, nullptr) : absl::StatusOr<Scene>(file.status());
   TILEMEND_ASSIGN_OR_RETURN(Json review, PageReview(report, holes, scene.ok() ? &*scene : nullptr, stop));
   return TextOf({{"scene", Member(report, "scene")},
+                 {"out", spec.out()},
+                 {"changed_options", ChangedOptions(report)},
                  {"date", Member(report, "date")},
                  {"look_at", Member(report, "look_at")},
                  {"review", std::move(review)}});

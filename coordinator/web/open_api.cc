@@ -106,9 +106,12 @@ constexpr char kOwnSchemas[] = R"({
       "cell": {"type": "array", "items": {"type": "integer"}}, "stage": {"type": "string"}, "reason": {"type": "string"}}}}}},
   "Holes": {"type": "object", "properties": {
     "holeCount": {"type": "integer"}, "holes": {"type": "array", "items": {"type": "object"}},
-    "planned": {"type": "boolean", "description": "true: the plan's; what became of them is not known yet"}}},
+    "planned": {"type": "boolean", "description": "true: the plan's; what became of them is not known yet"},
+    "warnings": {"type": "array", "items": {"type": "string"}, "description": "of the report, once there is one"}}},
   "Review": {"type": "object", "properties": {
-    "scene": {"type": "string"}, "date": {"type": "string"}, "look_at": {"type": "array", "items": {"type": "object"}},
+    "scene": {"type": "string"}, "out": {"type": "string"}, "date": {"type": "string"},
+    "changed_options": {"type": "object", "description": "options of the job that are not the defaults, by name"},
+    "look_at": {"type": "array", "items": {"type": "object"}},
     "review": {"type": "object"}}},
   "Log": {"type": "object", "properties": {"lines": {"type": "array", "items": {"type": "string"}}}}
 })";

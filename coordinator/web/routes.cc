@@ -1,7 +1,5 @@
 #include "coordinator/web/routes.h"
 
-#include <algorithm>
-
 #include "absl/strings/str_split.h"
 
 namespace tilemend {
@@ -71,8 +69,14 @@ std::optional<Match> MatchRoute(std::string_view method, std::string_view path) 
   return std::nullopt;
 }
 
-bool HasPath(std::string_view path) {
-  return std::ranges::any_of(Routes(), [&](const Route& r) { return ArgumentsOf(r.pattern, path).has_value(); });
+std::string AllowedMethods(std::string_view path) {
+  std::string allowed;
+  for (const Route& route : Routes()) {
+    if (!ArgumentsOf(route.pattern, path)) continue;
+    if (!allowed.empty()) allowed += ", ";
+    allowed += route.method == kGet ? "GET, HEAD" : route.method;
+  }
+  return allowed;
 }
 
 }  // namespace tilemend

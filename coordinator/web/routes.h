@@ -49,8 +49,8 @@ struct Match {
 
 // None if no route has that path and method. HEAD is as GET.
 std::optional<Match> MatchRoute(std::string_view method, std::string_view path);
-// Whether a route has that path with another method.
-bool HasPath(std::string_view path);
+// The methods of the routes of that path, as the header Allow has them: "GET, HEAD". "" if no route has it.
+std::string AllowedMethods(std::string_view path);
 
 }  // namespace tilemend
 

@@ -171,8 +171,12 @@ int HttpStatusOf(absl::StatusCode code) {
 HttpAnswer WebApi::Answer(const HttpRequest& request) {
   const auto match = MatchRoute(request.method, request.path);
   if (!match) {
-    HttpAnswer answer = ErrorAnswer(absl::NotFoundError("no such path; see /v1/openapi.json"));
-    if (HasPath(request.path)) answer.status = 405;
+    const std::string allowed = AllowedMethods(request.path);
+    if (allowed.empty()) return ErrorAnswer(absl::NotFoundError("no such path; see /v1/openapi.json"));
+    HttpAnswer answer = ErrorAnswer(absl::UnimplementedError(
+        absl::StrCat("this path allows ", allowed, " only; see /v1/openapi.json. Jobs are created over gRPC")));
+    answer.status = 405;
+    answer.headers.emplace_back("Allow", allowed);
     return answer;
   }
   auto answer = AnswerMatch(*match, request);

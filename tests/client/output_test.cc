@@ -34,7 +34,7 @@ v1::WorkerInfo LongWorker() {
   worker.set_threads(64);
   worker.set_tasks(64);
   worker.mutable_first_seen()->set_seconds(absl::ToUnixSeconds(absl::Now() - absl::Minutes(65)));
-  worker.mutable_last_seen()->set_seconds(absl::ToUnixSeconds(absl::Now()));
+  worker.mutable_last_seen()->set_seconds(absl::ToUnixSeconds(absl::Now()) + 1);  // so that it is "0 s" ago for long
   worker.set_release("0.1.0");
   worker.set_identity("worker");
   return worker;
@@ -124,7 +124,10 @@ TEST(WorkersTextTest, TellsTasksThatWaitFromThoseThatRun) {
 }
 
 TEST(DurationTextTest, HasTwoUnitsAtMost) {
-  EXPECT_EQ(DurationText(absl::Seconds(-3)), "0 s");
+  EXPECT_EQ(DurationText(absl::Seconds(-3)), "less than 1 s");
+  EXPECT_EQ(DurationText(absl::Milliseconds(499)), "less than 1 s");
+  EXPECT_EQ(DurationText(absl::Milliseconds(1190)), "1 s");
+  EXPECT_EQ(DurationText(absl::Milliseconds(59600)), "1 min 00 s");
   EXPECT_EQ(DurationText(absl::Seconds(59)), "59 s");
   EXPECT_EQ(DurationText(absl::Seconds(125)), "2 min 05 s");
   EXPECT_EQ(DurationText(absl::Minutes(47 * 60 + 5)), "47 h 05 min");

@@ -7,6 +7,7 @@ const tab = await browser.newPage();
 await tab.goto(`file://${page}`);
 await tab.locator('table.queue tbody tr').first().focus();
 await tab.keyboard.press('a');
+await tab.waitForSelector('.earlier tbody tr input', { timeout: 20000 }); // what was decided before can be undone
 const [download] = await Promise.all([tab.waitForEvent('download'), tab.locator('.review .download').click()]);
 await download.saveAs(file);
 await browser.close();

@@ -167,6 +167,26 @@ const written = await tab.waitForFunction(() => document.querySelectorAll('svg.m
   { timeout: 20000 }).catch(() => null);
 expect(written, 'after a restart cells are not shown as written');
 
+// The warnings of the report stand at the top of the job.
+await tab.route('**/holes', async (route) => {
+  const answer = await route.fetch({ headers: { ...route.request().headers(), 'if-none-match': '' } });
+  await route.fulfill(answer.ok() ? { json: { ...await answer.json(), warnings: ['one <b>', 'two'] } } : { response: answer });
+});
+await tab.waitForSelector('.jobview .warnings li', { timeout: 20000 })
+  .catch(() => expect(false, 'the warnings of the report are not shown'));
+expect(await tab.locator('.jobview > h2 + div .warnings li').count() === 2, 'the warnings do not stand at the top of the job');
+await tab.unroute('**/holes');
+
+// A partial job says what is left, and looks so.
+await tab.route('**/v1/jobs?*', async (route) => {
+  const answer = await route.fetch({ headers: { ...route.request().headers(), 'if-none-match': '' } }), list = await answer.json();
+  for (const j of list.jobs) if (j.name === chosen) Object.assign(j, { state: 'PARTIAL', progress: { ...j.progress, holes: '5', holesFilled: '3' } });
+  await route.fulfill({ json: list });
+});
+await tab.locator('.job.partial .state', { hasText: /^done, 2 left open$/ }).waitFor({ timeout: 20000 })
+  .catch(() => expect(false, 'a partial job does not say how many holes are left'));
+await tab.unroute('**/v1/jobs?*');
+
 // An output that a later job has written is not shown as that of this one.
 await tab.route('**/holes', (route) => route.fulfill({ status: 409, json: { error: {
   code: 'ABORTED', message: 'its output was written again by jobs/b; look there', reason: 'OUTPUT_REPLACED', metadata: {} } } }));

@@ -13,11 +13,14 @@ function wordsOf(name: string, value: unknown): string[] {
   return text.startsWith('-') ? [`--${name}=${text}`] : [`--${name}`, text];
 }
 
-// The run of the report with the decisions of the review; null if the report does not tell its scene and folder.
-export function decisionsCommand({ scene, out, changed_options: changed }: Report): string | null {
+// The run, or the job, of the report with the decisions of the review; null if the report does not tell its scene and
+// folder.
+export function decisionsCommand({ scene, out, changed_options: changed }: Pick<Report, 'scene' | 'out' | 'changed_options'>,
+  verb: 'run' | 'submit' = 'run'): string | null {
   if (!scene || !out) return null;
   const options = Object.entries(changed ?? {}).filter(([name]) => name !== 'decisions').flatMap(([name, value]) => wordsOf(name, value));
-  return ['tilemend', 'run', scene, '--out', out, ...options, '--decisions', 'decisions.geojson'].map(shellQuoted).join(' ');
+  const more = verb === 'submit' ? ['--coordinator', 'HOST:PORT'] : [];
+  return ['tilemend', verb, scene, '--out', out, ...options, '--decisions', verb === 'submit' ? 'FILE' : 'decisions.geojson', ...more].map(shellQuoted).join(' ');
 }
 
 // A command with a button that copies it. Where the browser forbids that, the button selects the text.

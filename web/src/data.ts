@@ -58,6 +58,7 @@ export interface Review {
   z: number | null; // the height of the levels' zero
   crs: unknown;
   outlines: string; // gzip, as base64: by hole of the item its Outlines
+  decided?: number; // count of `earlier`
   earlier: string;  // the same: the features of decisions that were made before
 }
 

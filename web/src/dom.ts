@@ -34,9 +34,11 @@ export function number(value: number | null | undefined, digits = 0): string {
   return format.format(value).replaceAll(',', '\u2009');
 }
 
-// 0.0123 as 0.012, so that small areas do not look like none.
-export function areaText(area: number): string {
-  return area > 0 && area < 1 ? String(Number(area.toPrecision(2))) : number(area, area === 0 ? 0 : 1);
+// "unknown", "< 0.1", "0.12" or "12.3": small areas do not look like none.
+export function areaText(area: number | null | undefined): string {
+  if (typeof area !== 'number' || !Number.isFinite(area)) return 'unknown';
+  if (area < 0.1) return '< 0.1';
+  return area < 1 ? String(Number(area.toPrecision(2))) : number(area, 1);
 }
 
 export function counted(count: number, noun: string): string {

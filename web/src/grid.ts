@@ -4,6 +4,7 @@ import { el, svg } from './dom';
 
 const MOST_IN_SVG = 10000;
 const MOST_SQUARES = 4e6; // as the coordinator has it
+const LABEL = 11;         // pixels: the height of a label's letters
 
 export interface Frame { column: number; row: number; columns: number; rows: number }
 
@@ -72,6 +73,17 @@ function svgGrid(first: Squares, numbers: number[], [w, h]: [number, number], lo
     return rect;
   });
   root.append(...rects);
+  // Column and row on cells that have room for them.
+  const labels = numbers.map((k) => `${frame.column + k % frame.columns},${frame.row + Math.floor(k / frame.columns)}`);
+  const longest = Math.max(...labels.map((text) => text.length));
+  if (h >= LABEL + 4 && w >= longest * 0.62 * LABEL + 4) {
+    root.append(...numbers.map((k, i) => {
+      const label = svg('text', { class: 'celllabel', 'aria-hidden': 'true', 'font-size': LABEL, 'text-anchor': 'middle', 'dominant-baseline': 'central',
+        x: (k % frame.columns + 0.5) * w, y: (frame.rows - 0.5 - Math.floor(k / frame.columns)) * h });
+      label.textContent = labels[i]!;
+      return label;
+    }));
+  }
   let shown = first, chosen = -1;
   const states: string[] = [];
   const paint = (i: number) => {

@@ -1,6 +1,7 @@
 // One job: its map as it goes, its holes, its failures, its review queue, and its cells before and after.
 import type { WebGLRenderer } from 'three';
 import { ApiError, type Cells, get, type Holes, type Job, type JobReview, type LogLines } from './api';
+import { decisionsCommand } from './command';
 import type { Hole } from './data';
 import { el } from './dom';
 import { Failures } from './failures';
@@ -11,6 +12,7 @@ import { isOver } from './jobs';
 import { Card, makeRenderer, MARK_NAME } from './pictures';
 import { reviewQueue } from './review';
 import { readCell } from './tile';
+import { warningList } from './warnings';
 
 const AGAIN = 30_000; // milliseconds until what a job that is over does not have is asked for again
 
@@ -50,14 +52,15 @@ export class JobView {
   private map: JobMap | null = null;
   private holes: Holes | null = null;
   private told = '';
+  private toldWarnings = '[]';
   private lines: LogLines = { lines: [] };
   private table: HolesTable | null = null;
   private readonly reviewed = new Map<number, number>(); // by hole, the hole of its row in the queue
   private shown: [[number, number], Hole | null] | null = null; // what the detail is of
 
   constructor(private readonly name: string) {
-    this.element.append(el('h2', {}, `Map of ${name}`), el('div', { class: 'mapanddetail' }, this.mapBox, this.detail),
-      this.warnings, this.failures.element, this.holesBox, this.reviewBox);
+    this.element.append(el('h2', {}, `Map of ${name}`), this.warnings, el('div', { class: 'mapanddetail' }, this.mapBox, this.detail),
+      this.failures.element, this.holesBox, this.reviewBox);
   }
 
   async poll(job: Job): Promise<void> {
@@ -66,7 +69,7 @@ export class JobView {
     const isPlanned = Number(job.progress.holes) > 0 || (isOver(job) && job.report !== '');
     const holes = isPlanned ? await this.readHoles(job) : null;
     const lines = await get<LogLines>(`/v1/${this.name}/log`);
-    this.warnings.replaceChildren(...job.warnings.map((text) => el('p', { class: 'warning' }, text)));
+    this.drawWarnings([...new Set([...job.warnings, ...holes?.warnings ?? []])]);
     const told = this.mapNote + this.holesError;
     if (cells === this.map?.cells && holes === this.holes && lines === this.lines && told === this.told) return;
     this.told = told;
@@ -78,6 +81,14 @@ export class JobView {
     if (cells.hasTiles && !hadTiles && this.shown) this.showDetail(...this.shown);
     this.failures.update(cells, lines.lines);
     this.drawHoles(job, this.map);
+  }
+
+  // Those of the job, then those of its report. A list that was opened stays open while nothing changes.
+  private drawWarnings(texts: string[]): void {
+    const told = JSON.stringify(texts);
+    if (told === this.toldWarnings) return;
+    this.toldWarnings = told;
+    this.warnings.replaceChildren(...(texts.length > 0 ? [warningList(texts)] : []));
   }
 
   // Chooses a cell as a click on it does.
@@ -167,8 +178,8 @@ export class JobView {
       const button = el('button', { type: 'button', click: () => this.showPicture(cell, hole, button) }, 'show before and after');
       parts.push(button);
     }
-    if (hole?.doubt && !this.holes?.planned) {
-      parts.push(el('button', { type: 'button', class: 'toreview', click: () => void this.showReview(hole) }, 'decide on it in the review queue'));
+    if ((hole?.doubt || hole?.decision) && !this.holes?.planned) {
+      parts.push(el('button', { type: 'button', class: 'toreview', click: () => void this.showReview(hole) }, hole.decision ? 'see the decisions' : 'decide on it in the review queue'));
     }
     this.card?.dispose();
     this.card = null;
@@ -216,13 +227,14 @@ export class JobView {
       return;
     }
     const row = this.reviewBox.querySelector<HTMLElement>(`tr[data-hole="${this.reviewed.get(hole.id) ?? ''}"]`);
-    row?.scrollIntoView({ block: 'center' });
+    (row ?? this.reviewBox).scrollIntoView({ block: row ? 'center' : 'start' });
     row?.focus();
   }
 
   private async readReview(): Promise<void> {
     const { review, ...report } = await get<JobReview>(`/v1/${this.name}/review`);
-    this.reviewBox.replaceChildren(el('h2', {}, 'Review'), reviewQueue(report, review));
+    this.reviewBox.replaceChildren(el('h2', {}, 'Review'), reviewQueue(report, review, decisionsCommand(report, 'submit'),
+      'FILE is the path of the downloaded file in a folder that coordinator and workers may read (--root).'));
     for (const item of review.items) {
       for (const id of item.holes) this.reviewed.set(id, item.hole);
     }

@@ -2,12 +2,15 @@
 import { ApiError, type Job, type Me, post } from './api';
 import { el, number } from './dom';
 
-// In the words of `tilemend list`.
+// In the words of `tilemend list`, except that a partial job says what is left.
 export function stateText(job: Job): string {
   switch (job.state) {
     case 'RUNNING': return job.paused ? 'paused' : job.waiting ? 'waiting' : 'running';
     case 'DONE': return 'done';
-    case 'PARTIAL': return 'partial';
+    case 'PARTIAL': {
+      const left = Number(job.progress.holes) - Number(job.progress.holesFilled);
+      return left > 0 ? `done, ${number(left)} left open` : 'done, but not all of it';
+    }
     case 'FAILED': return 'failed';
     default: return 'cancelled';
   }
@@ -34,16 +37,21 @@ export class Rates {
   }
 }
 
-export function durationText(seconds: number): string {
-  if (!Number.isFinite(seconds)) return '';
-  if (seconds < 90) return `${Math.round(seconds)} s`;
-  if (seconds < 5400) return `${Math.round(seconds / 60)} min`;
-  return `${(seconds / 3600).toFixed(1)} h`;
+// As DurationText in client/output.cc.
+export function durationText(exact: number): string {
+  if (!Number.isFinite(exact)) return '';
+  if (exact < 0.5) return 'less than 1 s';
+  const seconds = Math.round(exact), part = (unit: number, base: number) => String(Math.floor(seconds / unit) % base).padStart(2, '0');
+  if (seconds < 60) return `${seconds} s`;
+  if (seconds < 3600) return `${Math.floor(seconds / 60)} min ${part(1, 60)} s`;
+  if (seconds < 48 * 3600) return `${Math.floor(seconds / 3600)} h ${part(60, 60)} min`;
+  return `${Math.floor(seconds / 86400)} d ${part(3600, 24)} h`;
 }
 
 function speedText(job: Job, rates: Rates, now: number): string {
-  const begun = Date.parse(job.startTime ?? '');
-  if (isOver(job)) return Number.isNaN(begun) ? '' : `took ${durationText((Date.parse(job.endTime ?? '') - begun) / 1000)}`;
+  // From its creation on, as `tilemend get` has it.
+  const took = isOver(job) ? durationText((Date.parse(job.endTime ?? '') - Date.parse(job.createTime)) / 1000) : '';
+  if (isOver(job)) return took && `took ${took}`;
   const rate = rates.of(job, now), left = Number(job.progress.cells) - Number(job.progress.cellsDone);
   if (job.paused || rate <= 0 || left <= 0) return '';
   const speed = rate >= 1 ? `${number(rate, 1)} cells/s` : `${number(60 * rate, 1)} cells/min`;
@@ -143,6 +151,7 @@ class JobCard {
     this.why.textContent = job.error?.message || (job.paused ? '' : job.waiting) || message;
     this.why.hidden = this.why.textContent === '';
     this.element.classList.toggle('chosen', chosen);
+    this.element.classList.toggle('partial', job.state === 'PARTIAL');
     this.steer.update(me);
   }
 }

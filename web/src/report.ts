@@ -1,30 +1,31 @@
 // report.html: puts the parts of the page together.
-import { type DetailLevel, type LookAt, type Report, type Water, readReport } from './data';
+import { type DetailLevel, type Hole, type LookAt, type Report, type Water, readReport } from './data';
 import { decisionsCommand } from './command';
 import { areaText, counted, el, holesText, number } from './dom';
-import { holesTable, levelText } from './holes';
+import { areaOf, holesTable, knownArea, levelText } from './holes';
 import { cellMap } from './map';
 import { MARK_NAME, pictures } from './pictures';
 import { reviewQueue } from './review';
+import { warningList } from './warnings';
+
+const TINY = 0.05; // m2: kTinyHole in coordinator/report/left_open.h
+
+// Whether a hole that is left makes no output partial: it is tiny, or a reviewer wants it open.
+function isUncounted(hole: Hole): boolean {
+  return !hole.filled && (hole.decision === 'open' || (knownArea(hole) ?? Infinity) < TINY);
+}
 
 function verdict(report: Report): HTMLElement {
   const left = report.cells.reduce((sum, cell) => sum + cell[3], 0);
   const filled = report.cells.reduce((sum, cell) => sum + cell[2], 0);
+  const uncounted = report.per_hole.filter(isUncounted).length, isPartial = left > uncounted;
   const looks = report.look_at?.length ?? 0;
   const text = left > 0 ? `${counted(filled, 'hole')} filled, ${number(left)} left open`
     : filled > 0 ? `All ${counted(filled, 'hole')} filled` : 'No hole was found';
   const next = [left > 0 ? 'The holes that were left have their reasons in the table.' : '',
+    left > 0 && !isPartial ? `They do not count: smaller than ${TINY} m\u00b2, or left open by decision.` : '',
     looks > 0 ? `${counted(looks, 'place')} to look at.` : ''].filter(Boolean).join(' ');
-  return el('div', { class: left > 0 ? 'verdict open' : 'verdict' }, el('strong', {}, text), ...(next ? [el('span', {}, next)] : []));
-}
-
-const MOST_WARNINGS = 5; // that are not folded
-
-function warnings(texts: string[]): HTMLElement {
-  const list = el('ul', {}, ...texts.map((text) => el('li', {}, text)));
-  const title = counted(texts.length, 'warning');
-  return texts.length > MOST_WARNINGS ? el('details', { class: 'warnings' }, el('summary', {}, title), list)
-    : el('section', { class: 'warnings' }, el('h2', {}, title), list);
+  return el('div', { class: isPartial ? 'verdict open' : 'verdict' }, el('strong', {}, text), ...(next ? [el('span', {}, next)] : []));
 }
 
 function facts(report: Report): HTMLElement {
@@ -32,7 +33,7 @@ function facts(report: Report): HTMLElement {
   const rows: [string, string][] = [
     ['cells', number(report.cells.length)],
     ['holes', number(report.hole_count)],
-    ['area filled', `${area < 1 ? areaText(area) : number(area)} m\u00b2`],
+    ['area filled', `${area === 0 ? '0' : area < 1 ? areaText(area) : number(area)} m\u00b2`],
     ['waters', number(report.water?.length ?? 0)]];
   if (report.tasks?.tiles_kept) rows.push(['tiles kept', `${number(report.tasks.tiles_kept)} of ${number(report.tasks.tiles)}`]);
   if (report.cleared?.triangles) rows.push(['triangles cleared', number(report.cleared.triangles)]);
@@ -48,14 +49,15 @@ function table(headings: string[], rows: string[][], numbers: number[] = []): HT
 
 function waters(rows: Water[]): HTMLElement {
   return table(['water', 'kind', 'level [m]', 'sigma [m]', 'area [m\u00b2]', 'cells', 'decided by'],
-    rows.map((w) => [String(w.body), w.kind, levelText(w.level_m), number(w.sigma_m, 3), number(w.area_m2, 1),
+    rows.map((w) => [String(w.body), w.kind, levelText(w.level_m), number(w.sigma_m, 3), areaText(w.area_m2),
       number(w.cells), w.decided_by]), [2, 3, 4, 5]);
 }
 
-function looks(rows: LookAt[]): HTMLElement {
+function looks(rows: LookAt[], holes: Hole[]): HTMLElement {
+  const hole = new Map(holes.map((h) => [h.id, h]));
   return table(['hole', 'cell', 'x, y [m]', 'area [m\u00b2]', 'why'],
     rows.map((r) => [holesText(r), (r.cell ?? []).join(', '), (r.centre ?? []).map((c) => c.toFixed(1)).join(', '),
-      r.area_m2 === undefined ? '' : areaText(r.area_m2), r.why ?? '']), [3]);
+      !r.area_m2 && hole.has(r.hole ?? -1) ? areaOf(hole.get(r.hole!)!) : areaText(r.area_m2), r.why ?? '']), [3]);
 }
 
 function levels(rows: DetailLevel[]): HTMLElement {
@@ -89,13 +91,13 @@ function build(report: Report): HTMLElement[] {
     el('header', {}, el('h1', {}, 'tilemend report'),
       el('p', { class: 'quiet' }, [report.scene, report.date, report.version && `release ${report.version}`].filter(Boolean).join(' \u00b7 ')),
       el('button', { type: 'button', class: 'print', click: () => window.print() }, 'Print or save as PDF')),
-    verdict(report), ...(report.warnings?.length ? [warnings(report.warnings)] : []), facts(report)];
+    verdict(report), ...(report.warnings?.length ? [warningList(report.warnings)] : []), facts(report)];
   parts.push(section('Cells', cellMap(report, holes.showCell)));
   const review = report.review;
-  if (review?.items.length) parts.push(section('Review', reviewQueue(report, review, decisionsCommand(report))));
+  if (review && (review.items.length > 0 || (review.decided ?? 0) > 0)) parts.push(section('Review', reviewQueue(report, review, decisionsCommand(report))));
   const queued = new Set(review?.items.map((item) => item.hole));
   const others = (report.look_at ?? []).filter((look) => !queued.has(look.hole ?? -1));
-  if (others.length) parts.push(section('Places to look at', looks(others)));
+  if (others.length) parts.push(section('Places to look at', looks(others, report.per_hole)));
   parts.push(section('The largest fills', el('p', { class: 'quiet' }, report.pictures.length > 0 ? HOW_TO_LOOK : whyNoPictures(report)),
     ...report.picture_problems.map((text) => el('p', { class: 'warning' }, text)), pictures(report)));
   if (report.water?.length) parts.push(section('Waters', waters(report.water)));

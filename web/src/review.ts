@@ -1,7 +1,7 @@
 // The review queue: what a reviewer decides on fills in doubt. It is kept in the browser until it is downloaded.
 import { copyable } from './command';
 import type { LookAt, Outline, Report, Review, ReviewItem } from './data';
-import { counted, el, holesText, number } from './dom';
+import { areaText, counted, el, holesText, number } from './dom';
 import { unzip } from './unzip';
 
 const STEP = 50; // rows that are shown at once
@@ -12,6 +12,9 @@ const KEYS: Record<string, Decision | ''> = { a: 'accept', w: 'water', g: 'groun
 
 interface Mark { decision: Decision; level: string } // the level as it was typed; of water alone
 type Outlines = Record<string, Outline[]>;           // by hole of the item
+
+// What this reads of the feature of an earlier decision.
+interface Earlier { properties: { hole: number | null; cluster: number | null; decision: Decision; level_m: number | null } }
 
 // The marks of one report, kept in the browser where it keeps anything. Several tabs may show the report: each writes
 // what changed, and hears of what others write.
@@ -85,6 +88,37 @@ export function decisionsGeoJson(earlier: unknown[], marks: [number, Mark][], ou
   return `{"type": "FeatureCollection",\n${head}"features": [\n${features.join(',\n')}\n]}\n`;
 }
 
+// Earlier decisions by what they were made on: the holes of a cluster are decided on together.
+function groupsOf(earlier: Earlier[]): Map<string, Earlier[]> {
+  const groups = new Map<string, Earlier[]>();
+  for (const feature of earlier) {
+    const { hole, cluster, decision } = feature.properties;
+    const key = `${cluster === null ? `hole ${hole}` : `cluster ${cluster}`} ${decision}`;
+    groups.set(key, [...groups.get(key) ?? [], feature]);
+  }
+  return groups;
+}
+
+// The earlier decisions, each of which can be undone. `undone` gets the features that the next file is to leave out.
+function earlierTable(groups: Map<string, Earlier[]>, undone: Set<Earlier>, changed: () => void): HTMLElement {
+  const row = (features: Earlier[]) => {
+    const { decision, level_m: level } = features[0]!.properties, holes = features.map((f) => f.properties.hole).join(', ');
+    const box = el('input', { type: 'checkbox', 'aria-label': `undo the decision on hole ${holes}`, change: () => {
+      for (const feature of features) if (box.checked) undone.add(feature); else undone.delete(feature);
+      changed();
+    } });
+    return el('tr', { class: 'decided' }, el('td', {}, holes), el('td', {}, CHOICES.find(([value]) => value === decision)?.[1] ?? decision),
+      el('td', { class: 'number' }, number(level, 3)), el('td', {}, el('label', {}, box, ' undo')));
+  };
+  const all = [...groups.values()], body = el('tbody', {}, ...all.slice(0, STEP).map(row));
+  const more = el('button', { type: 'button', click: () => { body.append(...all.slice(STEP).map(row)); more.hidden = true; } }, 'show all');
+  more.hidden = all.length <= STEP;
+  return el('div', { class: 'earlier' }, el('h3', {}, 'Decided in earlier rounds'),
+    el('p', { class: 'quiet' }, 'The next file contains these decisions. One that is marked \u201cundo\u201d is left out, and the next run makes its fill as it was found.'),
+    el('div', { class: 'scroll' }, el('table', {}, el('thead', {}, el('tr', {},
+      ...['holes', 'decision', 'level [m]', ''].map((text, i) => el('th', { scope: 'col', class: i === 2 ? 'number' : '' }, text)))), body)), more);
+}
+
 async function unpack(packed: string): Promise<unknown> {
   return JSON.parse(new TextDecoder().decode(await unzip(packed)));
 }
@@ -120,7 +154,7 @@ class Row {
       title: `${hasLevelRim(item) ? '' : 'The rim is not known to be level. '}A height of the scene\u2019s CRS in metres. Without one the water gets the level of its shore.`,
       'aria-label': `level of ${name} [m]`, input: () => { this.store('water'); changed(); } });
     const text = (...parts: string[]) => parts.filter(Boolean).join('; ');
-    const cells = [String(rank), holesText(item), (item.cell ?? []).join(', '), number(item.area_m2, 1), item.taken_for,
+    const cells = [String(rank), holesText(item), (item.cell ?? []).join(', '), areaText(item.area_m2), item.taken_for,
       rimText(item, absolute), number(item.doubt_m, 3), number(item.doubt_m3, 1), text(item.reason, why)];
     this.element = el('tr', { tabindex: '0', 'aria-label': `${rank}, ${name}`, 'data-hole': String(item.hole) },
       ...cells.map((cell, i) => el('td', { class: [0, 1, 3, 5, 6, 7].includes(i) ? 'number' : '' }, cell)),
@@ -156,13 +190,16 @@ class Row {
   }
 }
 
-// The marks are those of this scene, date and folder. `command` makes use of the file.
-export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 'out'>, review: Review, command: string | null = null): HTMLElement {
+// The marks are those of this scene, date and folder. `command` makes use of the file, and `hint` says how.
+export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 'out'>, review: Review, command: string | null = null, hint = ''): HTMLElement {
   const marks = new Marks(['tilemend decisions', report.scene ?? '', report.date ?? '', ...(report.out ? [report.out] : [])].join(' '));
   const reasons = new Map((report.look_at ?? []).map((look: LookAt) => [look.hole, look.why ?? '']));
   const rows = review.items.map((item, i) => new Row(item, i + 1, reasons.get(item.hole) ?? '',
     item.level_m === undefined || review.z === null ? null : item.level_m + review.z, marks, () => tell()));
   const body = el('tbody', {}), status = el('span', { class: 'quiet', role: 'status' });
+  const undone = new Set<Earlier>(), earlierBox = el('div', {});
+  let unpacked: Promise<Earlier[]> | null = null;
+  const readEarlier = (): Promise<Earlier[]> => (unpacked ??= unpack(review.earlier) as Promise<Earlier[]>);
   let shown = STEP;
   const more = el('button', { type: 'button', click: () => { shown += 10 * STEP; fill(); } }, 'show more');
   const download = el('button', { type: 'button', class: 'download', click: () => void write() }, 'Download decisions');
@@ -177,14 +214,15 @@ export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 
   function tell(): void {
     const bad = rows.find((row) => !row.isGood);
     const all = review.count > review.items.length ? ` (of ${number(review.count)} in doubt the ${number(review.items.length)} first)` : '';
-    status.textContent = bad ? `The level of hole ${bad.hole} is no number.`
+    status.textContent = rows.length === 0 ? '' : bad ? `The level of hole ${bad.hole} is no number.`
       : `${number(marks.size)} of ${counted(rows.length, 'fill')}${all} decided${marks.keeps ? '' : '; this browser does not keep decisions'}`;
-    download.disabled = marks.size === 0 || bad !== undefined;
+    if (undone.size > 0 && !bad) status.textContent += `${status.textContent ? '; ' : ''}${counted(undone.size, 'earlier decision')} undone`;
+    download.disabled = (marks.size === 0 && undone.size === 0) || bad !== undefined;
     forget.disabled = marks.size === 0;
   }
 
   async function write(): Promise<void> {
-    const outlines = await unpack(review.outlines) as Outlines, earlier = await unpack(review.earlier) as unknown[];
+    const outlines = await unpack(review.outlines) as Outlines, earlier = (await readEarlier()).filter((feature) => !undone.has(feature));
     save(decisionsGeoJson(earlier, marks.entries(), outlines, review.crs), 'decisions.geojson');
     const without = marks.entries().filter(([hole]) => !outlines[hole]).map(([hole]) => hole);
     if (without.length > 0) status.textContent = `Not in the file, as they have no outline: holes ${without.join(', ')}`;
@@ -212,15 +250,16 @@ export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 
   tell();
   const headings = ['', 'hole', 'cell', 'area [m\u00b2]', 'taken for', 'level of the rim \u00b1 sigma [m]', 'doubt [m]', 'doubt [m\u00b3]', 'because', 'decision'];
   const queue = el('div', { class: 'review' },
-    el('p', { class: 'quiet' }, 'Fills by their doubt: the error of height that is to be expected, times the area. ' +
+    el('p', { class: 'quiet' }, (rows.length === 0 ? 'No fill waits for a decision. ' : 'Fills by their doubt: the error of height that is to be expected, times the area. ' +
       'In a row: \u2191 \u2193 to move, A accept, W water, G ground, O leave open, X not decided. Levels are heights of the scene\u2019s CRS. ' +
-      '\u201cRedo as water\u201d takes the level that is typed, or that of the shore if none is; that of a level rim is there already. ' +
+      '\u201cRedo as water\u201d takes the level that is typed, or that of the shore if none is; that of a level rim is there already. ') +
       'The file has the decisions of earlier rounds as well. This makes the fills anew that are to be redone' +
       (command ? ':' : ': tilemend run with --decisions FILE and the same scene, folder and options.')),
-    ...(command ? [copyable(command)] : []),
+    ...(command ? [copyable(command)] : []), ...(command && hint ? [el('p', { class: 'quiet' }, hint)] : []),
     el('div', { class: 'filters' }, download, forget, status),
-    el('div', { class: 'scroll' }, el('table', { class: 'queue' }, el('thead', {}, el('tr', {},
-      ...headings.map((text, i) => el('th', { scope: 'col', class: [0, 1, 3, 5, 6, 7].includes(i) ? 'number' : '' }, text)))), body)), more);
+    el('div', rows.length === 0 ? { class: 'scroll', hidden: '' } : { class: 'scroll' }, el('table', { class: 'queue' }, el('thead', {}, el('tr', {},
+      ...headings.map((text, i) => el('th', { scope: 'col', class: [0, 1, 3, 5, 6, 7].includes(i) ? 'number' : '' }, text)))), body)), more, earlierBox);
+  if (review.decided) void readEarlier().then((earlier) => { earlierBox.replaceChildren(earlierTable(groupsOf(earlier), undone, tell)); });
   marks.listen(queue, () => { rows.forEach((row) => row.show()); tell(); });
   return queue;
 }

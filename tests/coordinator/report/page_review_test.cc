@@ -81,6 +81,7 @@ TEST(PageReviewTest, EarlierDecisionsAreKeptAsTheyWereMade) {
   ASSERT_TRUE(review.ok()) << review.status();
   const Json earlier = Json::parse(Unzipped((*review)["earlier"]));
   ASSERT_EQ(earlier.size(), 3U);
+  EXPECT_EQ((*review)["decided"], 3);
   EXPECT_EQ(earlier[0]["properties"],
             Json({{"hole", 8}, {"cluster", 2}, {"decision", "water"}, {"level_m", 10.7958984375}}));
   EXPECT_EQ(earlier[0]["geometry"], Json::parse(polygon));

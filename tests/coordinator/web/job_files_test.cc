@@ -157,20 +157,24 @@ TEST_F(JobFilesTest, AFileThatIsTooLargeIsNotRead) {
 TEST_F(JobFilesTest, GivesTheHolesAndTheReviewOfTheReport) {
   EXPECT_EQ(ErrorReason(files_.HolesOf("jobs/1", job_).status()), "REPORT_NOT_FOUND");
   EXPECT_EQ(ErrorReason(files_.ReviewOf("jobs/1", job_).status()), "REPORT_NOT_FOUND");
-  job_.report =
-      folder_.Write("out/report.json", R"({"date": "today", "per_hole": [{"id": 4, "outcome": "left", "reason": "<b>"}],
-                              "review": [{"hole": 4, "holes": [4]}]})");
+  job_.report = folder_.Write(
+      "out/report.json",
+      R"({"date": "today", "options": {"textures": "off"}, "per_hole": [{"id": 4, "outcome": "left", "reason": "<b>"}],
+                              "warnings": ["look here"], "review": [{"hole": 4, "holes": [4]}]})");
   folder_.Write("out/holes.geojson", R"({"type": "FeatureCollection", "features": []})");
   const auto holes = Await([&] { return files_.HolesOf("jobs/1", job_); });
   ASSERT_TRUE(holes.ok()) << holes.status();
   const auto json = nlohmann::ordered_json::parse(**holes);
   EXPECT_EQ(json["holeCount"], 1);
   EXPECT_EQ(json["planned"], false);
+  EXPECT_EQ(json["warnings"], nlohmann::ordered_json({"look here"}));
   EXPECT_EQ(json["holes"][0]["reason"], "<b>");
   const auto review = Await([&] { return files_.ReviewOf("jobs/1", job_); });
   ASSERT_TRUE(review.ok()) << review.status();
   const auto queue = nlohmann::ordered_json::parse(**review);
   EXPECT_EQ(queue["date"], "today");
+  EXPECT_EQ(queue["out"], job_.spec.out());
+  EXPECT_EQ(queue["changed_options"], nlohmann::ordered_json({{"textures", "off"}}));
   EXPECT_EQ(queue["review"]["count"], 1);
   EXPECT_EQ(queue["review"]["z"], 0);
   folder_.Write("out/report.json", "no JSON");

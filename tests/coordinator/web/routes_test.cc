@@ -26,8 +26,9 @@ TEST(RoutesTest, MatchesNothingElse) {
     EXPECT_FALSE(MatchRoute("GET", path)) << path;
   }
   EXPECT_FALSE(MatchRoute("GET", "/v1/jobs/1/cancel"));
-  EXPECT_TRUE(HasPath("/v1/jobs/1/cancel"));
-  EXPECT_FALSE(HasPath("/v1/nothing"));
+  EXPECT_EQ(AllowedMethods("/v1/jobs/1/cancel"), "POST");
+  EXPECT_EQ(AllowedMethods("/v1/jobs"), "GET, HEAD");
+  EXPECT_EQ(AllowedMethods("/v1/nothing"), "");
 }
 
 TEST(RoutesTest, EveryRouteNamesAnRpcThatHasARole) {

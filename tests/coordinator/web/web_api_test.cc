@@ -145,7 +145,10 @@ TEST_F(WebApiTest, NoPathLeadsOut) {
     EXPECT_EQ(Get(absl::StrCat(job, "/cells/", cell, "/before")).status / 100, 4) << cell;
   }
   EXPECT_EQ(Get("/v1/nothing").status, 404);
-  EXPECT_EQ(Post("/v1/workers", "root").status, 405);
+  const HttpAnswer refused = Post("/v1/workers", "root");
+  EXPECT_EQ(refused.status, 405);
+  EXPECT_THAT(refused.headers, testing::Contains(testing::Pair("Allow", "GET, HEAD")));
+  EXPECT_THAT(refused.body, testing::Not(HasSubstr("no such path")));
 }
 
 TEST_F(WebApiTest, ListsComeInPages) {
