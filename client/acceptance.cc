@@ -354,9 +354,8 @@ class AcceptanceCheck {
     for (const SceneTile& tile : input_.scene.tiles) cells[OutputPath(tile)] = tile.cell;
     for (const std::string& path : tiles.missing) Add(kMissingTile, cells[path], std::nullopt, path);
     for (const std::string& path : tiles.others) Add(kOtherMesh, {}, std::nullopt, path);
-    for (const ReportedOutput::Left& left : reported_.left) {
+    for (const ReportedOutput::Left& left : reported_.left)
       Add(kLeftHole, left.cell, left.at, left.reason, left.hole >= 0 ? std::optional(left.hole) : std::nullopt);
-    }
   }
 
   const CheckInput input_;

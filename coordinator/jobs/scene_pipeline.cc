@@ -160,10 +160,8 @@ struct Steps {
   void End(std::string_view step, const SceneWaves& waves) {
     seconds.emplace_back(step, watch.Lap());
     if (step == "survey") areas = CheckLevels(waves.options().plan.water.areas, waves.survey().records());
-    if (step == "plan") {
-      areas.Update(CheckDecisions(waves.plan()));
-      sight->SetPlan(waves.plan(), waves.outcome().chosen);
-    }
+    if (step == "plan") areas.Update(CheckDecisions(waves.plan()));
+    if (step == "plan") sight->SetPlan(waves.plan(), waves.outcome().chosen);
     holes = std::ranges::count_if(waves.plan().holes,
                                   [&](const PlannedHole& hole) { return waves.options().IsChosen(hole.cell); });
   }
@@ -381,8 +379,7 @@ class ScenePipeline : public JobPipeline {
     TILEMEND_RETURN_IF_ERROR(WriteScene(scene, *output_));
     output_->Adopt(tasks_.files().Carried());
     if (const int64_t others = output_->TidyUp(); others > 0) {
-      absl::StrAppend(&outcome.message, "; ", others,
-                      others == 1 ? " other in the folder left as it was" : " others in the folder left as they were");
+      absl::StrAppend(&outcome.message, "; ", others, " more in the folder left as before");
     }
     const std::string folder = output_->path() + "/";
     TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(folder + "holes.geojson", HolesGeoJson(report, scene)));

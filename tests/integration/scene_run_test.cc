@@ -181,11 +181,11 @@ TEST_F(SceneRunTest, OverwriteReplacesFilesOfTheSameNameOnly) {
   folder_.Write("out/tiles/Tile_+009_+009.ply.txt", "older");
   const Ended again = Run(scene, out, {"--overwrite"});
   EXPECT_EQ(again.code, 0) << again.err;
-  EXPECT_THAT(again.out, HasSubstr("2 others in the folder left as they were"));
+  EXPECT_THAT(again.out, HasSubstr("2 more in the folder left as before"));
   ExpectComplete(out, tiles);
   EXPECT_EQ(FilesBelow(out)["mine.txt"], "mine");
   std::filesystem::remove(out + "/mine.txt");
-  EXPECT_THAT(Run(scene, out, {"--overwrite"}).out, HasSubstr("1 other in the folder left as it was"));
+  EXPECT_THAT(Run(scene, out, {"--overwrite"}).out, HasSubstr("1 more in the folder left as before"));
 }
 
 TEST_F(SceneRunTest, AFolderInATilesPlaceIsRefusedBeforeAnythingIsWritten) {

@@ -49,6 +49,10 @@ int32_t NearestOf(const Plan& plan, const std::vector<RimSegment>& segments, con
   return std::ranges::min_element(segments, {}, distance)->from;
 }
 
+bool HaveCommon(const std::vector<Side>& a, const std::vector<Side>& b) {
+  return std::ranges::any_of(a, [&](Side side) { return std::ranges::find(b, side) != b.end(); });
+}
+
 // Makes one hole of two of a tile. What is left of `part` has no segments.
 void Absorb(PlannedHole& part, PlannedHole& hole) {
   const auto own = static_cast<double>(hole.segments.size()), more = static_cast<double>(part.segments.size());
@@ -233,7 +237,8 @@ class CellRegions {
         const std::vector<Side> sides = SidesOf(v);
         if (sides.empty() || own_vertex_.contains(v)) continue;
         LineVertex& at = found[v];
-        at = {PlaceOf(v, sides), v, sides, at.on_rim || (!s.seam && RunsAlongLine(s))};
+        const bool on_rim = at.on_rim || (!s.seam && HaveCommon(SidesOf(s.from), SidesOf(s.to)));
+        at = {PlaceOf(v, sides), v, sides, on_rim};
       }
     }
     std::vector<LineVertex> line;
@@ -242,12 +247,6 @@ class CellRegions {
       return std::pair(a.place, a.vertex) < std::pair(b.place, b.vertex);
     });
     return line;
-  }
-
-  // Whether both ends lie on one grid line.
-  bool RunsAlongLine(const RimSegment& s) const {
-    const std::vector<Side> from = SidesOf(s.from), to = SidesOf(s.to);
-    return std::ranges::any_of(from, [&](Side side) { return std::ranges::find(to, side) != to.end(); });
   }
 
   std::vector<Side> SidesOf(int32_t v) const {
