@@ -93,7 +93,7 @@ std::string StageName(std::string_view phase) {
 
 std::string StageText(const v1::Job& job) {
   const v1::Progress& p = job.progress();
-  const std::string name = StageName(p.phase());
+  std::string name = StageName(p.phase());
   if (p.phase().starts_with("fill")) return name + Counts("holes", p.holes_filled(), p.holes());
   if (p.phase().starts_with("assemble")) return name + Counts("cells", p.cells_done(), p.cells());
   return name;

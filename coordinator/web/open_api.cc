@@ -42,7 +42,7 @@ class MessageSchemas {
   // All that were referred to.
   Json Take() {
     Json schemas = Json::object();
-    for (size_t k = 0; k < waiting_.size(); ++k) {
+    for (size_t k = 0; k < waiting_.size(); ++k) {  // NOLINT(modernize-loop-convert): it grows meanwhile
       const Descriptor& message = *waiting_[k];
       Json properties = Json::object();
       for (int f = 0; f < message.field_count(); ++f) {

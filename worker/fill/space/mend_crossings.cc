@@ -224,7 +224,8 @@ class CrossingMender {
 
   // Triangles that close the loop and cross nothing; empty if none are found.
   std::vector<Triangle> Close(const BridgedLoop& bridged, PatchEdit& edit) const {
-    const auto& [loop, bridges] = bridged;
+    const VertexLoop& loop = bridged.loop;
+    const std::set<VertexPair>& bridges = bridged.bridges;
     std::vector<Point3> places;
     std::vector<Eigen::Vector3d> outside;
     Eigen::AlignedBox3d box;
