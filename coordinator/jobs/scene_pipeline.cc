@@ -379,7 +379,7 @@ class ScenePipeline : public JobPipeline {
     TILEMEND_RETURN_IF_ERROR(WriteScene(scene, *output_));
     output_->Adopt(tasks_.files().Carried());
     if (const int64_t others = output_->TidyUp(); others > 0) {
-      absl::StrAppend(&outcome.message, "; ", others, " more in the folder left as before");
+      absl::StrAppend(&outcome.message, "; other files and folders there, left as they were: ", others);
     }
     const std::string folder = output_->path() + "/";
     TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(folder + "holes.geojson", HolesGeoJson(report, scene)));

@@ -61,13 +61,6 @@ std::set<fs::path> RealFolders(const fs::path& root, const std::set<std::string>
   return folders;
 }
 
-// The path and the folders that it lies in. It is real.
-std::set<fs::path> WithFoldersAbove(const fs::path& path) {
-  std::set<fs::path> all = {path};
-  for (fs::path at = path; at.has_relative_path(); at = at.parent_path()) all.insert(at.parent_path());
-  return all;
-}
-
 // Whether nothing of the output would lie among the scene's files.
 absl::Status CheckApart(const std::string& path, const Scene& scene, const std::set<std::string>& files) {
   const fs::path root = RealPath(scene.root);
@@ -83,7 +76,9 @@ absl::Status CheckApart(const std::string& path, const Scene& scene, const std::
   }
   std::set<fs::path> targets = RealFolders(path, FoldersOf(files)), above;
   targets.insert(RealPath(path));
-  for (const fs::path& target : targets) above.merge(WithFoldersAbove(target));
+  for (const fs::path& target : targets) {
+    for (fs::path at = target; above.insert(at).second && at.has_relative_path();) at = at.parent_path();
+  }
   for (const fs::path& folder : above) {
     if (!sources.Contains(folder) && !(targets.contains(folder) && scene_folder.Contains(folder))) continue;
     return absl::InvalidArgumentError(absl::StrCat(path, ": the output would lie among the tiles of the scene, in ",
@@ -388,8 +383,10 @@ absl::Status OutputFolder::SeeAll(const std::function<bool()>& ends) const {
 }
 
 int64_t OutputFolder::TidyUp() {
-  std::set<std::string> folders = {""};
-  for (const auto& [file, placed] : files_) folders.merge(FoldersOf({file}));
+  std::set<std::string> files;
+  for (const auto& [file, placed] : files_) files.insert(file);
+  std::set<std::string> folders = FoldersOf(files);
+  folders.insert("");
   int64_t others = 0;
   for (const std::string& file : EntriesOf(path_, folders)) {
     if (file == kJobMarker || file.starts_with(kResultLog) || files_.contains(file)) continue;

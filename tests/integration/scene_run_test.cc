@@ -181,11 +181,11 @@ TEST_F(SceneRunTest, OverwriteReplacesFilesOfTheSameNameOnly) {
   folder_.Write("out/tiles/Tile_+009_+009.ply.txt", "older");
   const Ended again = Run(scene, out, {"--overwrite"});
   EXPECT_EQ(again.code, 0) << again.err;
-  EXPECT_THAT(again.out, HasSubstr("2 more in the folder left as before"));
+  EXPECT_THAT(again.out, HasSubstr("other files and folders there, left as they were: 2"));
   ExpectComplete(out, tiles);
   EXPECT_EQ(FilesBelow(out)["mine.txt"], "mine");
   std::filesystem::remove(out + "/mine.txt");
-  EXPECT_THAT(Run(scene, out, {"--overwrite"}).out, HasSubstr("1 more in the folder left as before"));
+  EXPECT_THAT(Run(scene, out, {"--overwrite"}).out, HasSubstr("other files and folders there, left as they were: 1"));
 }
 
 TEST_F(SceneRunTest, AFolderInATilesPlaceIsRefusedBeforeAnythingIsWritten) {
