@@ -53,6 +53,10 @@ std::string PercentEncoded(std::string_view text, bool keep_slashes) {
   return encoded;
 }
 
+std::string CopySource(const S3Path& from) {
+  return absl::StrCat("x-amz-copy-source: /", from.bucket, "/", PercentEncoded(from.key, true));
+}
+
 std::string UrlOf(const S3Address& address, const S3Path& path, const std::map<std::string, std::string>& query) {
   // A certificate for *.s3.REGION does not hold for a bucket with a dot. Other stores are asked by path.
   const std::string amazon =

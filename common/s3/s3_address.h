@@ -36,6 +36,9 @@ S3Address AddressFrom(const Environment& environment);
 // As RFC 3986, 2.3 has it: all but letters, digits and "-._~", and slashes if `keep_slashes`.
 std::string PercentEncoded(std::string_view text, bool keep_slashes);
 
+// The header of a request that copies `from` within the store.
+std::string CopySource(const S3Path& from);
+
 // The URL of an object or a bucket, with the query's parameters in the order of their names, as signatures need it.
 std::string UrlOf(const S3Address& address, const S3Path& path, const std::map<std::string, std::string>& query = {});
 

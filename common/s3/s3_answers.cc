@@ -3,6 +3,8 @@
 #include <pugixml.hpp>
 #include <string_view>
 
+#include "absl/strings/strip.h"
+
 namespace tilemend {
 namespace {
 
@@ -18,6 +20,17 @@ S3Error ErrorInAnswer(const std::string& xml) {
   const pugi::xml_document document = Parsed(xml);
   const pugi::xml_node error = document.child("Error");
   return {error.child_value("Code"), error.child_value("Message")};
+}
+
+std::string TextInAnswer(const std::string& xml, std::span<const char* const> above, const char* name) {
+  const pugi::xml_document document = Parsed(xml);
+  pugi::xml_node node = document;
+  for (const char* element : above) node = node.child(element);
+  return node.child_value(name);
+}
+
+std::string UnquotedETag(std::string_view etag) {
+  return std::string(absl::StripPrefix(absl::StripSuffix(absl::string_view(etag.data(), etag.size()), "\""), "\""));
 }
 
 absl::StatusOr<S3Page> ReadListing(const std::string& xml, const std::string& prefix) {

@@ -2,7 +2,9 @@
 #ifndef TILEMEND_COMMON_S3_S3_ANSWERS_H_
 #define TILEMEND_COMMON_S3_S3_ANSWERS_H_
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -15,6 +17,12 @@ struct S3Error {
   std::string code, message;
 };
 S3Error ErrorInAnswer(const std::string& xml);
+
+// The text of the element `name` in the elements `above`, the outermost first; "" if there is none.
+std::string TextInAnswer(const std::string& xml, std::span<const char* const> above, const char* name);
+
+// An ETag as a header or an answer has it, without its quotation marks.
+std::string UnquotedETag(std::string_view etag);
 
 // One page of ListObjectsV2 with a delimiter.
 struct S3Page {

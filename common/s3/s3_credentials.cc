@@ -1,12 +1,10 @@
 #include "common/s3/s3_credentials.h"
 
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_split.h"
-#include "common/s3/s3_requests.h"
 #include "common/util/error_info.h"
 #include "common/util/files.h"
 
@@ -14,12 +12,6 @@ namespace tilemend {
 namespace {
 
 constexpr absl::Duration kFileHolds = absl::Minutes(1);
-constexpr absl::Duration kBeforeExpiry = absl::Minutes(5);
-
-std::string TextIn(const nlohmann::json& object, const char* name) {
-  const auto found = object.find(name);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
-}
 
 }  // namespace
 
@@ -42,20 +34,6 @@ std::optional<S3Credentials> CredentialsInFile(const std::string& text, const st
   }
   if (found.key_id.empty() || found.secret.empty()) return std::nullopt;
   return found;
-}
-
-std::optional<RoleCredentials> CredentialsOfRole(const std::string& json) {
-  const auto object = nlohmann::json::parse(json, nullptr, false);
-  if (!object.is_object()) return std::nullopt;
-  RoleCredentials role{
-      {TextIn(object, "AccessKeyId"), TextIn(object, "SecretAccessKey"), TextIn(object, "Token")}, {}, {}};
-  std::string error;
-  if (role.credentials.key_id.empty() || role.credentials.secret.empty() ||
-      !absl::ParseTime(absl::RFC3339_full, TextIn(object, "Expiration"), &role.expires, &error)) {
-    return std::nullopt;
-  }
-  role.renew = role.expires - kBeforeExpiry;
-  return role;
 }
 
 absl::StatusOr<S3Credentials> S3CredentialSource::Get(absl::Time now) {
@@ -86,29 +64,14 @@ absl::StatusOr<RoleCredentials> S3CredentialSource::Find(absl::Time now) const {
     if (auto found = CredentialsInFile(*text, profile))
       return RoleCredentials{*std::move(found), absl::InfiniteFuture(), now + kFileHolds};
   }
-  if (auto role = AskRole()) return *std::move(role);
+  for (const auto ask : {&RoleOfWebIdentity, &RoleOfContainer, &RoleOfMachine}) {
+    if (auto role = ask(environment_)) return *std::move(role);
+  }
   return WithErrorInfo(absl::PermissionDeniedError(absl::StrCat(
                            "no credentials for the object store: neither AWS_ACCESS_KEY_ID and AWS_SECRET_ACCESS_KEY, "
                            "nor a profile [",
-                           profile, "] in ", file, ", nor a role of this machine")),
+                           profile, "] in ", file, ", nor a role of a web identity, this container or this machine")),
                        {"OBJECT_STORE_REFUSED", {}});
-}
-
-// Source: Amazon EC2 user guide, "Retrieve security credentials from instance metadata" (IMDSv2).
-std::optional<RoleCredentials> S3CredentialSource::AskRole() const {
-  if (absl::AsciiStrToLower(ValueOf(environment_, "AWS_EC2_METADATA_DISABLED")) == "true") return std::nullopt;
-  std::string base = ValueOf(environment_, "AWS_EC2_METADATA_SERVICE_ENDPOINT");
-  if (base.empty()) base = "http://169.254.169.254";
-  while (base.ends_with('/')) base.pop_back();
-  const auto token = AskMetadata("PUT", base + "/latest/api/token", "X-aws-ec2-metadata-token-ttl-seconds: 21600");
-  if (!token) return std::nullopt;
-  const std::string header = absl::StrCat("X-aws-ec2-metadata-token: ", *token);
-  const std::string roles = base + "/latest/meta-data/iam/security-credentials/";
-  const auto names = AskMetadata("GET", roles, header);
-  if (!names) return std::nullopt;
-  const std::string name = names->substr(0, names->find('\n'));
-  const auto json = AskMetadata("GET", roles + PercentEncoded(name, false), header);
-  return json ? CredentialsOfRole(*json) : std::nullopt;
 }
 
 }  // namespace tilemend

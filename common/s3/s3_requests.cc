@@ -1,7 +1,6 @@
 #include "common/s3/s3_requests.h"
 
 #include <curl/curl.h>
-#include <openssl/evp.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,11 +11,11 @@
 #include <utility>
 
 #include "absl/strings/ascii.h"
-#include "absl/strings/escaping.h"
 #include "absl/strings/match.h"
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
 #include "absl/time/clock.h"
+#include "common/s3/md5.h"
 #include "common/s3/s3_answers.h"
 #include "common/store/digest.h"
 #include "common/util/error_info.h"
@@ -28,22 +27,6 @@ namespace {
 constexpr size_t kMostAnswerBytes = size_t{16} << 20;  // a page of 1,000 keys of 1,024 bytes has less
 constexpr absl::Duration kMostDelay = absl::Seconds(20);
 constexpr long kSilentSeconds = 30;  // NOLINT(google-runtime-int): libcurl's type
-
-class Md5 {
- public:
-  Md5() : context_(EVP_MD_CTX_new(), &EVP_MD_CTX_free) { Restart(); }
-  void Restart() { EVP_DigestInit_ex(context_.get(), EVP_md5(), nullptr); }
-  void Update(std::string_view bytes) { EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()); }
-  std::string FinishHex() {
-    unsigned char digest[EVP_MAX_MD_SIZE];
-    unsigned size = 0;
-    EVP_DigestFinal_ex(context_.get(), digest, &size);
-    return absl::BytesToHexString(absl::string_view(reinterpret_cast<const char*>(digest), size));
-  }
-
- private:
-  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
-};
 
 // What curl's callbacks fill and read.
 struct Exchange {
@@ -98,7 +81,7 @@ size_t TakeHeader(char* bytes, size_t, size_t count, void* user) {
   if (colon == absl::string_view::npos) return count;
   const std::string name = absl::AsciiStrToLower(line.substr(0, colon));
   const std::string value(absl::StripAsciiWhitespace(line.substr(colon + 1)));
-  if (name == "etag") exchange.answer.etag = std::string(absl::StripPrefix(absl::StripSuffix(value, "\""), "\""));
+  if (name == "etag") exchange.answer.etag = UnquotedETag(value);
   if (name == "content-length" && !absl::SimpleAtoi(value, &exchange.answer.size)) exchange.answer.size = -1;
   if (name == "x-amz-server-side-encryption-customer-algorithm") exchange.has_md5 = false;
   if (name == "x-amz-server-side-encryption" && value != "AES256") exchange.has_md5 = false;
@@ -276,18 +259,19 @@ absl::StatusOr<S3Answer> S3Requests::Send(const S3Request& request, const std::s
   }
 }
 
-std::optional<std::string> AskMetadata(const std::string& method, const std::string& url, const std::string& header) {
+std::optional<std::string> AskService(const ServiceRequest& request) {
   CURL* const curl = HandleOfThread();
   if (curl == nullptr) return std::nullopt;
   Exchange exchange;
-  SetCommon(curl, method, url, exchange);
-  if (method == "PUT") SetBody(curl, exchange);
+  exchange.to_send = request.body;
+  SetCommon(curl, request.method, request.url, exchange);
+  if (request.method != "GET") SetBody(curl, exchange);
   HeaderList headers;
-  headers.Add(header);
+  if (!request.header.empty()) headers.Add(request.header);
   curl_easy_setopt(curl, CURLOPT_HTTPHEADER, headers.get());
-  curl_easy_setopt(curl, CURLOPT_CONNECTTIMEOUT, 1L);
-  curl_easy_setopt(curl, CURLOPT_TIMEOUT, 5L);
-  curl_easy_setopt(curl, CURLOPT_PROXY, "");
+  curl_easy_setopt(curl, CURLOPT_CONNECTTIMEOUT, request.is_near ? 1L : 10L);
+  curl_easy_setopt(curl, CURLOPT_TIMEOUT, request.is_near ? 5L : kSilentSeconds);
+  if (request.is_near) curl_easy_setopt(curl, CURLOPT_PROXY, "");
   long code = 0;  // NOLINT(google-runtime-int): libcurl's type
   if (curl_easy_perform(curl) != CURLE_OK) return std::nullopt;
   curl_easy_getinfo(curl, CURLINFO_RESPONSE_CODE, &code);

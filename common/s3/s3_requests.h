@@ -56,8 +56,16 @@ class S3Requests {
   const S3Patience patience_;
 };
 
-// The answer of the metadata service of a machine, which is near or not there; nullopt for an error.
-std::optional<std::string> AskMetadata(const std::string& method, const std::string& url, const std::string& header);
+// To a service that gives credentials.
+struct ServiceRequest {
+  std::string method;  // GET, PUT, POST
+  std::string url;
+  std::string header = {};  // "" for none
+  std::string body = {};
+  bool is_near = true;  // on this machine or the next one: answers at once, without a proxy, or is not there
+};
+// The body of an answer 200; nullopt for anything else.
+std::optional<std::string> AskService(const ServiceRequest& request);
 
 }  // namespace tilemend
 

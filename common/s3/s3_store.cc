@@ -10,18 +10,21 @@
 #include "absl/strings/str_cat.h"
 #include "common/s3/local_copies.h"
 #include "common/s3/s3_answers.h"
+#include "common/s3/s3_parts.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
 namespace {
 
-// Source: Amazon S3 user guide, "Uploading objects": of one PUT, and of one copy.
-constexpr int64_t kMostObjectBytes = int64_t{5} << 30;
+// Source: Amazon S3 user guide, "Amazon S3 multipart upload limits".
+constexpr int64_t kMostObjectBytes = int64_t{5} << 40;
+constexpr int64_t kLeastPartMegabytes = 5;
+constexpr int64_t kMostPartMegabytes = 5120;
 
 class S3Store : public ObjectStore {
  public:
-  S3Store(const Environment& environment, int64_t most_copied, S3Patience patience)
-      : requests_(environment, patience), copies_("", most_copied) {}
+  S3Store(const Environment& environment, S3Limits limits, S3Patience patience)
+      : requests_(environment, patience), copies_("", limits.most_copied), part_bytes_(limits.part_bytes) {}
 
   absl::StatusOr<ObjectLook> Look(const std::string& path) override {
     TILEMEND_ASSIGN_OR_RETURN(const S3Path object, ParseS3Path(path));
@@ -51,7 +54,9 @@ class S3Store : public ObjectStore {
 
   absl::Status Put(const std::string& path, std::string_view bytes) override {
     TILEMEND_ASSIGN_OR_RETURN(const S3Path object, ParseObject(path));
-    TILEMEND_RETURN_IF_ERROR(CheckSize(path, static_cast<int64_t>(bytes.size())));
+    const auto size = static_cast<int64_t>(bytes.size());
+    TILEMEND_RETURN_IF_ERROR(CheckSize(path, size));
+    if (size > part_bytes_) return PutInParts(requests_, object, path, bytes, PartBytes(size, part_bytes_));
     S3Request request{"PUT", object};
     request.body = bytes;
     return requests_.Send(request, path).status();
@@ -60,9 +65,14 @@ class S3Store : public ObjectStore {
   absl::Status Copy(const std::string& from, const std::string& to) override {
     TILEMEND_ASSIGN_OR_RETURN(const S3Path source, ParseObject(from));
     TILEMEND_ASSIGN_OR_RETURN(const S3Path object, ParseObject(to));
+    const std::string name = absl::StrCat(from, " to ", to);
+    TILEMEND_ASSIGN_OR_RETURN(const S3Answer look, requests_.Send({"HEAD", source}, from));
+    if (look.size > part_bytes_) {
+      return CopyInParts(requests_, source, {look.size, look.etag}, object, name, PartBytes(look.size, part_bytes_));
+    }
     S3Request request{"PUT", object};
-    request.headers = {absl::StrCat("x-amz-copy-source: /", source.bucket, "/", PercentEncoded(source.key, true))};
-    return requests_.Send(request, absl::StrCat(from, " to ", to)).status();
+    request.headers = {CopySource(source)};
+    return requests_.Send(request, name).status();
   }
 
   absl::Status Remove(const std::string& path) override {
@@ -114,27 +124,39 @@ class S3Store : public ObjectStore {
 
   static absl::Status CheckSize(const std::string& path, int64_t bytes) {
     if (bytes <= kMostObjectBytes) return absl::OkStatus();
-    return absl::InvalidArgumentError(absl::StrCat(path, ": ", bytes, " bytes, but one request takes 5 GiB at most"));
+    return absl::InvalidArgumentError(absl::StrCat(path, ": ", bytes, " bytes, but an object has at most 5 TiB"));
   }
 
   S3Requests requests_;
   LocalCopies copies_;
+  const int64_t part_bytes_;
 };
+
+// Sets `bytes` to what the variable `name` says, if it is set.
+absl::Status ReadMegabytes(const char* name, int64_t least, int64_t most, int64_t& bytes) {
+  const std::string given = ValueOf(std::getenv, name);
+  if (given.empty()) return absl::OkStatus();
+  int64_t megabytes = 0;
+  if (!absl::SimpleAtoi(given, &megabytes) || megabytes < least || megabytes > most) {
+    return absl::InvalidArgumentError(
+        absl::StrCat(name, " '", given, "': expected a number of MB from ", least, " to ", most));
+  }
+  bytes = megabytes << 20;
+  return absl::OkStatus();
+}
 
 }  // namespace
 
-std::unique_ptr<ObjectStore> NewS3Store(const Environment& environment, int64_t most_copied, S3Patience patience) {
-  return std::make_unique<S3Store>(environment, most_copied, patience);
+std::unique_ptr<ObjectStore> NewS3Store(const Environment& environment, S3Limits limits, S3Patience patience) {
+  return std::make_unique<S3Store>(environment, limits, patience);
 }
 
 absl::Status UseS3() {
-  constexpr int64_t kMebibyte = 1 << 20;
-  int64_t megabytes = 2048;
-  const std::string given = ValueOf(std::getenv, "TILEMEND_S3_CACHE_MB");
-  if (!given.empty() && (!absl::SimpleAtoi(given, &megabytes) || megabytes < 0)) {
-    return absl::InvalidArgumentError(absl::StrCat("TILEMEND_S3_CACHE_MB '", given, "': expected a number, 0 or more"));
-  }
-  UseObjects(NewS3Store(std::getenv, megabytes * kMebibyte));
+  S3Limits limits;
+  TILEMEND_RETURN_IF_ERROR(ReadMegabytes("TILEMEND_S3_CACHE_MB", 0, int64_t{1} << 40, limits.most_copied));
+  TILEMEND_RETURN_IF_ERROR(
+      ReadMegabytes("TILEMEND_S3_PART_MB", kLeastPartMegabytes, kMostPartMegabytes, limits.part_bytes));
+  UseObjects(NewS3Store(std::getenv, limits));
   return absl::OkStatus();
 }
 

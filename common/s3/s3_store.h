@@ -10,11 +10,16 @@
 
 namespace tilemend {
 
-// `most_copied` bounds the bytes of local copies that are kept (TMPDIR).
-std::unique_ptr<ObjectStore> NewS3Store(const Environment& environment, int64_t most_copied, S3Patience patience = {});
+struct S3Limits {
+  int64_t most_copied = int64_t{2048} << 20;  // bytes of local copies that are kept (TMPDIR)
+  int64_t part_bytes = int64_t{64} << 20;     // larger objects are sent and copied in parts of this size (s3_parts.h)
+};
 
-// For the start of main: UseObjects with the store of the process's environment. TILEMEND_S3_CACHE_MB bounds the local
-// copies, 2048 if it is not set. kInvalidArgument for anything but a number there.
+std::unique_ptr<ObjectStore> NewS3Store(const Environment& environment, S3Limits limits, S3Patience patience = {});
+
+// For the start of main: UseObjects with the store of the process's environment. TILEMEND_S3_CACHE_MB and
+// TILEMEND_S3_PART_MB set the limits. kInvalidArgument for what is no number there, or parts of less than 5 MB or more
+// than 5120, which stores do not take.
 absl::Status UseS3();
 
 }  // namespace tilemend

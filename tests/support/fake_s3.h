@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -29,12 +31,15 @@ class FakeS3 : public testing::Test {
       const std::lock_guard lock(mutex_);
       requests_.push_back(request);
       answer.status = failures_-- > 0 ? failure_ : 200;
+      if (answers_ && answers_(request, answer)) return;
       if (answer.status != 200) return answer.set_content(failure_text_, "application/xml");
       answer.set_header("ETag", "\"" + etag_ + "\"");
       answer.set_content(content_, "application/octet-stream");
     };
+    server_.set_keep_alive_timeout(1);  // seconds, which its end waits for
     server_.Get(".*", handle);
     server_.Put(".*", handle);
+    server_.Post(".*", handle);
     server_.Delete(".*", handle);
     port_ = server_.bind_to_any_port("127.0.0.1");
     serving_ = std::thread([this] { server_.listen_after_bind(); });
@@ -47,7 +52,7 @@ class FakeS3 : public testing::Test {
           const auto found = values_.find(name);
           return found == values_.end() ? nullptr : found->second.c_str();
         },
-        1000, {3, absl::Milliseconds(1)});
+        {1000, part_bytes_}, {3, absl::Milliseconds(1)});
   }
   void TearDown() override {
     store_.reset();  // whose open connections the server would wait for
@@ -62,10 +67,12 @@ class FakeS3 : public testing::Test {
   }
 
   httplib::Server server_;
+  int64_t part_bytes_ = int64_t{64} << 20;
   int port_ = 0;
   std::thread serving_;
   std::mutex mutex_;
   std::vector<httplib::Request> requests_;
+  std::function<bool(const httplib::Request&, httplib::Response&)> answers_;  // false: as below
   int failures_ = 0, failure_ = 503;
   std::string failure_text_, etag_ = kHelloMd5, content_ = "hello";
   std::map<std::string, std::string> values_;
