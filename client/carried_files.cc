@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <fstream>
 #include <map>
 #include <vector>
 
@@ -11,30 +10,12 @@
 #include "common/util/files.h"
 
 namespace tilemend {
-namespace {
-
-constexpr size_t kPiece = 1 << 16;  // bytes read at once
-
-// Reads up to `piece.size()` bytes; gives how many.
-size_t Fill(std::ifstream& file, std::vector<char>& piece) {
-  file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-  return static_cast<size_t>(file.gcount());
-}
-
-}  // namespace
 
 CarriedState CompareFiles(const std::string& in, const std::string& out, bool may_be_longer) {
-  std::ifstream a(in, std::ios::binary), b(out, std::ios::binary);
-  if (!a || !b) return CarriedState::kMissing;
-  std::vector<char> piece_a(kPiece), piece_b(kPiece);
-  while (true) {
-    const size_t read_a = Fill(a, piece_a), read_b = Fill(b, piece_b);
-    const size_t both = std::min(read_a, read_b);
-    if (read_b < read_a ||
-        !std::equal(piece_a.begin(), piece_a.begin() + static_cast<ptrdiff_t>(both), piece_b.begin()))
-      return CarriedState::kChanged;
-    if (read_a < kPiece) return read_b == read_a || may_be_longer ? CarriedState::kSame : CarriedState::kChanged;
-  }
+  const auto before = ReadFile(in), after = ReadFile(out);
+  if (!before.ok() || !after.ok()) return CarriedState::kMissing;
+  const bool goes_on = after->starts_with(*before) && (may_be_longer || after->size() == before->size());
+  return goes_on ? CarriedState::kSame : CarriedState::kChanged;
 }
 
 bool DefinesAgain(const std::string& before, const std::string& after) {

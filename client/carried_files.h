@@ -13,7 +13,7 @@ namespace tilemend {
 enum class CarriedState { kSame, kMissing, kChanged };
 
 // Whether `out` has the bytes of `in`: all of them, and no more unless `may_be_longer`. Unreadable files are missing.
-// Memory O(1), time linear in the files.
+// Memory and time linear in the files.
 CarriedState CompareFiles(const std::string& in, const std::string& out, bool may_be_longer);
 
 // Whether a material file `after` defines a material again that it had `before`: programs differ in which they take.

@@ -1,7 +1,6 @@
 // `tilemend check`: what is wrong with a mesh, the tiles of a scene, or an output.
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -25,6 +24,7 @@
 #include "common/util/exit_codes.h"
 #include "common/util/files.h"
 #include "common/util/folders.h"
+#include "common/util/object_store.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "coordinator/report/area_choice.h"
@@ -136,8 +136,7 @@ absl::StatusOr<CheckedScene> SceneWithItsArea(const std::string& path) {
 // The tiles of an output in the cells of the scene that it was made from, as long as that is there; or of any scene.
 absl::StatusOr<CheckedScene> SceneAt(const std::string& path) {
   const std::string report_path = absl::StrCat(path, "/report.json");
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(report_path, error)) {
+  if (KindOf(report_path) != PathKind::kFile) {
     if (IsOutput(path)) return absl::InvalidArgumentError(absl::StrCat(report_path, ": not a file"));
     return SceneWithItsArea(path);
   }
@@ -334,8 +333,9 @@ int CheckCommand(const Args& args) {
   const auto limits = LimitsFromFlags(args);
   if (!limits.ok()) return PrintUsageError(limits.status());
   const std::string& path = args.arguments().front();
-  std::error_code error;
-  if (!std::filesystem::exists(path, error) && !error)
+  const auto kind = FindKind(path);
+  if (IsStoreError(path, kind.status())) return PrintError(kind.status());
+  if (kind.ok() && *kind == PathKind::kNothing)
     return PrintError(absl::NotFoundError(absl::StrCat(path, ": no such file or folder")));
   return IsSingleMesh(path) ? CheckMesh(path, *limits, *format) : CheckScene(path, *limits, *format);
 }

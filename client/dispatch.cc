@@ -87,7 +87,7 @@ int UsageError(const std::string& text) {
 
 // Whether a command that works on folders alone is given an object of a store.
 bool NamesObjects(const Command& command, const std::vector<std::string>& words) {
-  constexpr const char* kForObjects[] = {"run", "submit", "inspect", "report"};
+  constexpr const char* kForObjects[] = {"run", "submit", "inspect", "report", "check"};
   if (std::ranges::find(kForObjects, command.name) != std::end(kForObjects)) return false;
   return std::ranges::any_of(words, [](const std::string& word) {
     return IsObjectPath(word) || IsObjectPath(word.substr(word.find('=') + 1));
@@ -122,7 +122,7 @@ int RunParsed(const Command& command, const std::vector<std::string>& words) {
   }
   if (NamesObjects(command, words)) {
     return UsageError(
-        absl::StrCat(command.name, ": s3:// paths are for run, submit, inspect and report; copy to a folder"));
+        absl::StrCat(command.name, ": s3:// paths are for run, submit, inspect, report and check; copy to a folder"));
   }
   try {
     return AfterPrinting(command.run(*args));

@@ -49,18 +49,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Trees of files are read from folders only.
-absl::Status CheckTreesOfObjects(const Scene& scene) {
-  if (!IsObjectPath(scene.root)) return absl::OkStatus();
-  for (const SceneTile& tile : scene.tiles) {
-    if (!IsTileTree(tile.path)) continue;
-    return absl::InvalidArgumentError(absl::StrCat(scene.root, "/", tile.path,
-                                                   ": trees of files, OSGB and 3D Tiles, are ",
-                                                   "read from folders only; copy the scene to a folder"));
-  }
-  return absl::OkStatus();
-}
-
 // Somebody else's folder of tiles may hold links to files of who runs this.
 void WarnOfLinksOut(Scene& scene) {
   if (IsObjectPath(scene.root)) return;  // without links
@@ -119,7 +107,6 @@ absl::StatusOr<Scene> LoadScene(const std::string& path, const BoundsReader& rea
     TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(metadata));
     TILEMEND_RETURN_IF_ERROR(ParseMetadata(text, metadata, &scene));
   }
-  TILEMEND_RETURN_IF_ERROR(CheckTreesOfObjects(scene));
   WarnOfLinksOut(scene);
   return scene;
 }

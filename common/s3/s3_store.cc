@@ -62,13 +62,12 @@ class S3Store : public ObjectStore {
     return requests_.Send(request, path).status();
   }
 
-  absl::Status Copy(const std::string& from, const std::string& to) override {
+  absl::Status Copy(const std::string& from, const ObjectLook& look, const std::string& to) override {
     TILEMEND_ASSIGN_OR_RETURN(const S3Path source, ParseObject(from));
     TILEMEND_ASSIGN_OR_RETURN(const S3Path object, ParseObject(to));
     const std::string name = absl::StrCat(from, " to ", to);
-    TILEMEND_ASSIGN_OR_RETURN(const S3Answer look, requests_.Send({"HEAD", source}, from));
     if (look.size > part_bytes_) {
-      return CopyInParts(requests_, source, {look.size, look.etag}, object, name, PartBytes(look.size, part_bytes_));
+      return CopyInParts(requests_, source, look, object, name, PartBytes(look.size, part_bytes_));
     }
     S3Request request{"PUT", object};
     request.headers = {CopySource(source)};

@@ -239,7 +239,7 @@ absl::StatusOr<int64_t> CarryToObject(const std::string& from, const std::string
   }
   TILEMEND_RETURN_IF_ERROR(ObjectsFor(from).status());
   TILEMEND_ASSIGN_OR_RETURN(const ObjectLook look, objects->Look(from));
-  const absl::Status copied = objects->Copy(from, to);
+  const absl::Status copied = objects->Copy(from, look, to);
   // It was there a moment ago: missing is what a caller may do without.
   if (absl::IsNotFound(copied)) return absl::UnavailableError(copied.message());
   TILEMEND_RETURN_IF_ERROR(copied);

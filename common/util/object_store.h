@@ -36,8 +36,8 @@ class ObjectStore {
   virtual absl::StatusOr<int> Open(const std::string& path) = 0;
   // At once or not at all, in place of what is there.
   virtual absl::Status Put(const std::string& path, std::string_view bytes) = 0;
-  // Within the store.
-  virtual absl::Status Copy(const std::string& from, const std::string& to) = 0;
+  // Within the store; `look` is of `from`.
+  virtual absl::Status Copy(const std::string& from, const ObjectLook& look, const std::string& to) = 0;
   // What is not there is no error.
   virtual absl::Status Remove(const std::string& path) = 0;
   // Sorted by name. kNotFound if no key begins so; for a whole bucket, if there is none.

@@ -42,17 +42,17 @@ absl::Status AddFiles(const std::string& root, const std::string& below, const s
   if (std::count(below.begin(), below.end(), '/') > kMostFolders) {
     return absl::ResourceExhaustedError(absl::StrCat(folder, ": folders more than ", kMostFolders, " deep"));
   }
-  TILEMEND_ASSIGN_OR_RETURN(const std::vector<std::string> names, ListFolder(folder.empty() ? "." : folder));
-  for (const std::string& name : names) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<FolderEntry> entries, ListKinds(folder.empty() ? "." : folder));
+  for (const auto& [name, kind] : entries) {
     const std::string file = absl::StrCat(below, name);
     if (file == own || name.starts_with('.')) continue;
     const bool is_of_tree = IsFileOfTree(own, file) || (IsTileset(own) && IsImage(name));
-    if (is_of_tree && KindOf(root + file) == PathKind::kFile) {
+    if (is_of_tree && kind == PathKind::kFile) {
       files.push_back(file);
       if (files.size() < kMostFiles) continue;
       return absl::ResourceExhaustedError(absl::StrCat(root, ": more than ", kMostFiles, " files for one tile"));
     }
-    if (!IsTileset(own)) continue;
+    if (!IsTileset(own) || kind != PathKind::kFolder) continue;
     const auto look = LookAt(root + file, Links::kKeep);
     if (look.ok() && look->kind == PathKind::kFolder) {
       TILEMEND_RETURN_IF_ERROR(AddFiles(root, file + "/", own, files));

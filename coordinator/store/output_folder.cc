@@ -149,18 +149,9 @@ absl::Status CheckNames(const std::string& path, const std::set<std::string>& fi
   return absl::OkStatus();
 }
 
-// Folders and s3:// are written to, and there no trees of files.
-absl::Status CheckScheme(const std::string& path, const Scene& scene) {
-  if (path.find("://") == std::string::npos) return absl::OkStatus();
-  if (!IsObjectPath(path)) {
-    return absl::InvalidArgumentError(absl::StrCat(path, ": this release writes to folders and to s3://BUCKET/PREFIX"));
-  }
-  for (const SceneTile& tile : scene.tiles) {
-    if (!IsTileTree(OutputPath(tile))) continue;
-    return absl::InvalidArgumentError(absl::StrCat(path, ": trees of files, OSGB and 3D Tiles, are written to folders ",
-                                                   "only (", OutputPath(tile), "); give a folder as --out"));
-  }
-  return absl::OkStatus();
+absl::Status CheckScheme(const std::string& path) {
+  if (path.find("://") == std::string::npos || IsObjectPath(path)) return absl::OkStatus();
+  return absl::InvalidArgumentError(absl::StrCat(path, ": this release writes to folders and to s3://BUCKET/PREFIX"));
 }
 
 absl::Status CheckFolder(const std::string& path) {
@@ -247,7 +238,7 @@ absl::StatusOr<bool> IsThere(const std::string& path, int64_t bytes, const std::
 
 absl::StatusOr<OutputFolder> OutputFolder::Claim(const std::string& path, const Scene& scene, bool overwrite,
                                                  const std::string& key) {
-  TILEMEND_RETURN_IF_ERROR(CheckScheme(path, scene));
+  TILEMEND_RETURN_IF_ERROR(CheckScheme(path));
   TILEMEND_RETURN_IF_ERROR(CheckFolder(path));
   std::set<std::string> files;
   for (const SceneTile& tile : scene.tiles) files.insert(OutputPath(tile));

@@ -10,7 +10,7 @@ import sys
 import tempfile
 
 from s3_server import BUCKET, SECRET, S3Server
-from textured_scenes import obj_scene
+from textured_scenes import obj_scene, tileset_scene
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), 'integration'))
 from free_port import free_port  # noqa: E402
@@ -103,6 +103,49 @@ class Test:
         expect('report.json' not in self.server.objects('out/no/'), 'a report of a job that failed')
         self.fails(['--overwrite'], 'run', self.in_store, '--out', f's3://{BUCKET}/out/plain')
 
+    def same_in_store(self, name, scene, *words, **changes):
+        """Runs a job on a scene in a folder and in the store; gives the latter's output."""
+        environment = self.server.environment(**changes)
+        self.server.upload(scene, f'city/{name}')
+        local, stored = os.path.join(self.folder, f'out-{name}'), f's3://{BUCKET}/out/{name}'
+        for source, out in ((scene, local), (f's3://{BUCKET}/city/{name}', stored)):
+            done = self.run('run', source, '--out', out, *words, environment=environment)
+            expect(done.returncode == 0, f'{name}: {done.stderr}')
+        same_output(self.server.objects(f'out/{name}/'), files_below(local))
+        return local, stored
+
+    def trees_of_files(self):
+        scene = tileset_scene(os.path.join(self.folder, 'tileset'))
+        _, stored = self.same_in_store('tileset', scene)
+        done = self.run('check', f's3://{BUCKET}/city/tileset', stored)
+        expect(done.returncode == 0, done.stdout + done.stderr)
+        delivered, _ = self.same_in_store('delivered', self.scene, '--output-format', 'osgb')
+        _, stored = self.same_in_store('Tile_+000', delivered)  # as exports name their folders
+        expect(self.run('check', stored).returncode == 0, 'check of OSGB tiles')
+
+    def checks(self):
+        done = self.run('check', self.in_store, f's3://{BUCKET}/out/plain')
+        expect(done.returncode == 0, done.stdout + done.stderr)
+        self.server.drop('out/plain/images/ground.png')
+        done = self.run('check', self.in_store, f's3://{BUCKET}/out/plain')
+        expect(done.returncode == 100 and 'images/ground.png' in done.stdout, done.stdout + done.stderr)
+        self.fails(['nothing', 'no such'], 'check', f's3://{BUCKET}/nothing')
+
+    def large_objects(self):
+        """A tile and an image above the size of a part, through faults."""
+        scene = obj_scene(os.path.join(self.folder, 'large'))
+        with open(os.path.join(scene, 'tiles/t0.obj'), 'a') as tile:
+            tile.write('# made large\n' * 500000)
+        with open(os.path.join(scene, 'images/ground.png'), 'ab') as image:
+            image.write(bytes(11 << 20))  # after its end, where nobody reads
+        self.server.spoil(('PUT', 'partNumber=2', 2, 'busy'), ('PUT', 'partNumber=1', 1, 'flip'),
+                          ('POST', 'uploadId', 1, 'cut'), ('POST', 'uploads', 1, 'busy'))
+        self.same_in_store('large', scene, TILEMEND_S3_PART_MB='5')
+        expect(self.server.faults_left() == 0, 'a fault did not happen')
+        sent = [r for r in self.server.requests() if 'partNumber' in r['url']]
+        expect(any('x-amz-copy-source' in r['headers'] for r in sent), 'no image was copied in parts')
+        expect(any('x-amz-copy-source' not in r['headers'] for r in sent), 'no tile was sent in parts')
+
     def credentials_in_file(self):
         path = os.path.join(self.folder, 'credentials')
         open(path, 'w').write(f'[default]\naws_access_key_id = x\naws_secret_access_key = y\n[city]\n'
@@ -148,8 +191,8 @@ class Test:
 
     def all(self):
         try:
-            for step in (self.same_as_folder, self.through_faults, self.errors, self.credentials_in_file, self.cluster,
-                         self.secrets):
+            for step in (self.same_as_folder, self.through_faults, self.errors, self.trees_of_files, self.large_objects,
+                         self.credentials_in_file, self.cluster, self.checks, self.secrets):
                 step()
                 print(f'{step.__name__}: done', flush=True)
         finally:

@@ -68,6 +68,9 @@ class S3Server:
                 open(to + '._S3rver_object', 'wb').write(open(path, 'rb').read())
                 open(to + '._S3rver_metadata.json', 'w').write('{}')
 
+    def drop(self, key):
+        os.remove(os.path.join(self.data, BUCKET, key + '._S3rver_object'))
+
     def close(self):
         self.process.kill()
         self.process.wait()

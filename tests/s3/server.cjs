@@ -5,6 +5,9 @@
 const http = require('node:http')
 const path = require('node:path')
 
+// s3rver leaves "+" encoded in the names of what is copied, and then does not find it. Amazon's service decodes all.
+globalThis.decodeURI = decodeURIComponent
+
 const [packages, directory, bucket] = process.argv.slice(2)
 const S3rver = require(path.join(packages, 'node_modules', '@20minutes', 's3rver'))
 

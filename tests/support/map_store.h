@@ -36,7 +36,7 @@ class MapStore : public ObjectStore {
     objects[path] = std::string(bytes);
     return absl::OkStatus();
   }
-  absl::Status Copy(const std::string& from, const std::string& to) override {
+  absl::Status Copy(const std::string& from, const ObjectLook&, const std::string& to) override {
     ++copies;
     objects[to] = objects[from];
     return absl::OkStatus();

@@ -31,7 +31,7 @@ TEST_F(S3StoreTest, RemovesWhatIsNotThere) {
 
 TEST_F(S3StoreTest, SeesAnErrorInASuccess) {
   content_ = "<Error><Code>InternalError</Code></Error>";
-  EXPECT_TRUE(absl::IsUnavailable(store_->Copy("s3://city/a", "s3://city/b")));
+  EXPECT_TRUE(absl::IsUnavailable(store_->Copy("s3://city/a", {5, kHelloMd5}, "s3://city/b")));
   EXPECT_EQ(requests_.back().get_header_value("x-amz-copy-source"), "/city/a");
 }
 
