@@ -12,6 +12,7 @@
 #include "absl/strings/str_split.h"
 #include "client/commands.h"
 #include "client/job_client.h"
+#include "client/job_end.h"
 #include "client/job_flags.h"
 #include "client/output.h"
 #include "client/progress_display.h"
@@ -78,6 +79,7 @@ absl::StatusOr<Session> OpenSession(const Args& args, bool watches, bool waits_f
 int PrintJob(const absl::StatusOr<v1::Job>& job, OutputFormat format) {
   if (!job.ok()) return PrintError(job.status());
   std::fputs(JobText(*job, format).c_str(), stdout);
+  if (format == OutputFormat::kTable) std::fputs(ClusterEndText(*job).c_str(), stdout);
   return kExitDone;
 }
 

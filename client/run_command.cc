@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <thread>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "client/commands.h"
 #include "client/job_client.h"
+#include "client/job_end.h"
 #include "client/job_flags.h"
 #include "client/output.h"
 #include "client/progress_display.h"
@@ -22,10 +22,8 @@
 #include "client/work_folder.h"
 #include "common/rpc/status_proto.h"
 #include "common/util/error_info.h"
-#include "common/util/files.h"
 #include "common/util/folders.h"
 #include "common/util/heap.h"
-#include "common/util/object_store.h"
 #include "common/util/signals.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
@@ -158,28 +156,17 @@ std::string WritePage(const v1::Job& job) {
   return "";
 }
 
-// Whether the job ended with an output that `tilemend check` can compare: it reads no object store, and tiles in the
-// format of the scene alone.
-bool CanBeChecked(const v1::Job& job) {
-  const v1::JobSpec& spec = job.spec();
-  const bool keeps_format = spec.output_format().empty() || spec.output_format() == "same";
-  return (job.state() == v1::DONE || job.state() == v1::PARTIAL) && !spec.dry_run() && keeps_format &&
-         !IsObjectPath(spec.scene()) && !IsObjectPath(spec.out());
-}
-
 // The job unless `is_brief`, what its report says, and the path of the page.
 void PrintEnd(const v1::Job& job, OutputFormat format, bool is_brief, const std::string& page) {
   const bool is_table = format == OutputFormat::kTable;
   if (!is_brief || job.report().empty()) std::fputs(JobText(is_table ? Shown(job) : job, format).c_str(), stdout);
   if (format == OutputFormat::kJson || job.report().empty()) return;
-  const auto content = ReadFile(job.report());
-  if (!content.ok()) {
-    PrintError(content.status());
+  const auto report = ReportOf(job);
+  if (!report.ok()) {
+    PrintError(report.status());
     return;
   }
-  const auto report = nlohmann::ordered_json::parse(*content, nullptr, false);
-  if (!report.is_object()) return;
-  std::fputs((is_brief ? ResultText(report) : SummaryText(report)).c_str(), stdout);
+  std::fputs((is_brief ? ResultText(*report) : SummaryText(*report)).c_str(), stdout);
   if (!page.empty()) std::printf("\npage: %s (open it in a browser)\n", Printable(page).c_str());
 }
 

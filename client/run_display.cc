@@ -67,21 +67,6 @@ std::string WarningLines(const Json& report) {
   return text;
 }
 
-// `text` as one word of a shell's command line: as it is, or in single quotes.
-std::string ShellWord(std::string_view text) {
-  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+=:,./-";
-  if (!text.empty() && text.find_first_not_of(kPlain) == std::string_view::npos) return std::string(text);
-  std::string word = "'";
-  for (const char c : text) {
-    if (c == '\'') {
-      word += "'\\''";
-    } else {
-      word += c;
-    }
-  }
-  return word + "'";
-}
-
 }  // namespace
 
 std::string StageName(std::string_view phase) {
@@ -102,10 +87,6 @@ std::string StageText(const v1::Job& job) {
 std::string ResultText(const Json& report) {
   return absl::StrCat(FilledText(report), KeptText(report), WarningLines(report),
                       WaterText(report, "filled flat as water"), LookAtText(report), LeftText(report, "left open"));
-}
-
-std::string CheckLine(const std::string& scene, const std::string& out) {
-  return absl::StrCat("check: tilemend check ", Printable(ShellWord(scene)), " ", Printable(ShellWord(out)), "\n");
 }
 
 RunDisplay::RunDisplay() : begin_(absl::Now()) {}

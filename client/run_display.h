@@ -20,9 +20,6 @@ std::string StageText(const v1::Job& job);
 // The end of a run: what was filled, the levels of water, what to look at, what is left.
 std::string ResultText(const nlohmann::ordered_json& report);
 
-// "check: tilemend check SCENE OUT" with a line's end: the command that compares the output with its scene.
-std::string CheckLine(const std::string& scene, const std::string& out);
-
 // One moving line on stderr, which stays with its seconds when the next stage begins. For a terminal.
 class RunDisplay {
  public:

@@ -59,12 +59,6 @@ TEST(ResultTextTest, CountsTheHolesOfTheCellsThatWereChosen) {
               StartsWith("1 of 2 holes filled, 20.5 m2; 1 left open is smaller than 0.05 m2 and does not count\n"));
 }
 
-TEST(CheckLineTest, IsACommandForAShell) {
-  EXPECT_EQ(CheckLine("scene", "/data/out"), "check: tilemend check scene /data/out\n");
-  EXPECT_EQ(CheckLine("my scene", "out"), "check: tilemend check 'my scene' out\n");
-  EXPECT_EQ(CheckLine("it's $HOME", ""), "check: tilemend check 'it'\\''s $HOME' ''\n");
-}
-
 TEST(ResultTextTest, AReportOfAnotherReleaseIsNoFault) {
   EXPECT_THAT(ResultText(nlohmann::ordered_json::object()), StartsWith("0 of 0 holes filled"));
 }
