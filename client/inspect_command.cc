@@ -50,10 +50,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// What is to be known before the plan: of the scene, of the files that options name, and of those of the tiles.
+std::vector<std::string> WarningsBeforePlan(const Inspection& inspection) {
+  std::vector<std::string> warnings = inspection.waves->scene().warnings;
+  warnings.insert(warnings.end(), inspection.warnings.begin(), inspection.warnings.end());
+  return warnings;
+}
+
 // The part of the report that the plan alone tells.
-Json PlanJson(const Plan& plan, int64_t cells) {
+Json PlanJson(const Inspection& inspection, int64_t cells) {
   SceneReportInput input;
-  input.plan = &plan;
+  input.plan = &inspection.waves->plan();
+  input.warnings = WarningsBeforePlan(inspection);
   input.cells = cells;
   Json json = Json::parse(SceneReport(input));
   for (const char* field : {"date", "scene", "options", "filled", "quality", "tension", "seconds", "peak_rss_bytes"})
@@ -269,7 +277,7 @@ int InspectSceneAt(const Request& request) {
   const auto inspection = InspectSceneOf(request, *std::move(scene));
   if (!inspection.ok()) return PrintError(inspection.status());
   const SceneWaves& waves = *inspection->waves;
-  PrintWarnings(waves.scene().warnings);
+  PrintWarnings(WarningsBeforePlan(*inspection));
   ExitCode code = kExitDone;
   for (const absl::Status& error : inspection->errors) code = PrintError(error);
   if (!inspection->errors.empty()) return code;
@@ -278,7 +286,7 @@ int InspectSceneAt(const Request& request) {
   if (const absl::Status status = WriteHoles(request.holes, waves); !status.ok()) return PrintError(status);
   PrintWarnings(PlanWarnings(waves.plan()));
   PrintWarnings(ClearedWarnings(waves.outcome().cleared));
-  Json plan = PlanJson(waves.plan(), static_cast<int64_t>(waves.scene().tiles.size()));
+  Json plan = PlanJson(*inspection, static_cast<int64_t>(waves.scene().tiles.size()));
   if (request.format == OutputFormat::kTable) {
     std::fputs(SceneText(*inspection, plan).c_str(), stdout);
     return kExitDone;
@@ -312,7 +320,7 @@ int InspectMeshAt(const Request& request) {
   PrintWarnings(PlanWarnings(waves.plan()));
   const auto record = waves.survey().records().at({0, 0}).Outline();
   const SurveyRecord& r = *record;
-  const Json plan = PlanJson(waves.plan(), 1);
+  const Json plan = PlanJson(inspection, 1);
   const std::vector<int32_t> outlines = OutlineHoles(waves.plan(), r.lo, r.hi);
   if (request.format == OutputFormat::kJson) {
     Json json = RecordJson(r);

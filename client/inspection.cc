@@ -4,6 +4,7 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <mutex>
 #include <optional>
 #include <string_view>
@@ -17,22 +18,27 @@
 #include "common/mesh/height_tally.h"
 #include "common/util/heap.h"
 #include "common/util/status_macros.h"
+#include "common/util/text.h"
 #include "common/util/tile_files.h"
 #include "coordinator/report/plan_warnings.h"
 #include "coordinator/report/tile_checks.h"
 #include "coordinator/report/water_choice.h"
 #include "worker/ground/lowest_surface.h"
 #include "worker/ground/rim_objects.h"
+#include "worker/materials/survey_look.h"
 #include "worker/survey/survey.h"
 
 namespace tilemend {
 namespace {
 
+constexpr size_t kMostFileWarnings = 20;  // as the report of a job has them
+
 // What comes of a piece of work on one tile.
 struct Looked {
   std::vector<HeightTally> tallies;  // of MeasureWork
-  SurveyRecord record;               // of SurveyWork, as the next
+  SurveyRecord record;               // of SurveyWork, as the others
   std::vector<int64_t> cleared;
+  std::vector<std::string> warnings;
 };
 
 // The tile's file; of a single mesh the scene has no folder.
@@ -59,17 +65,23 @@ absl::StatusOr<SurveyRecord> RecordOf(const MeshFile& file, const Scene& scene, 
 
 absl::StatusOr<Looked> Look(const Scene& scene, const SurveyWork& work) {
   const std::string path = PathOf(scene, *work.tile);
-  Looked looked;
-  if (work.clear.empty()) {
-    TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(path, work.tile->frame));
-    TILEMEND_ASSIGN_OR_RETURN(looked.record, RecordOf(file, scene, *work.tile));
-    return looked;
-  }
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(path));
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadTileBytes(path, work.tile->frame));
-  TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(format, bytes, work.clear, path));
-  TILEMEND_ASSIGN_OR_RETURN(looked.record, RecordOf(cleared.file, scene, *work.tile));
-  looked.cleared = std::move(cleared.triangles);
+  TILEMEND_ASSIGN_OR_RETURN(std::string bytes, ReadTileBytes(path, work.tile->frame));
+  Looked looked;
+  if (!work.clear.empty()) {
+    TILEMEND_ASSIGN_OR_RETURN(ClearedTile cleared, ClearTile(format, bytes, work.clear, path));
+    looked.cleared = std::move(cleared.triangles);
+    bytes = std::move(cleared.bytes);
+  }
+  const NoFaces no_faces = work.clear.empty() ? NoFaces::kRefuse : NoFaces::kAccept;
+  MeshWithWarnings mesh;
+  if (scene.root.empty()) {  // a single mesh: nothing looks at its materials
+    TILEMEND_ASSIGN_OR_RETURN(mesh.file, ParseMesh(format, bytes, path, no_faces));
+  } else {
+    TILEMEND_ASSIGN_OR_RETURN(mesh, ParseWithWarnings(scene.root, work.tile->path, bytes, format, no_faces));
+  }
+  looked.warnings = std::move(mesh.warnings);
+  TILEMEND_ASSIGN_OR_RETURN(looked.record, RecordOf(mesh.file, scene, *work.tile));
   return looked;
 }
 
@@ -121,9 +133,11 @@ void DoAll(std::string_view step, const std::vector<Work>& tiles, const StepWatc
   auto results = LookAtAll(step, inspection.waves->scene(), tiles, watcher);
   for (size_t i = 0; i < tiles.size(); ++i) {
     absl::Status status = results[i].status();
+    if (status.ok()) std::ranges::move(results[i]->warnings, std::back_inserter(inspection.warnings));
     if (status.ok()) status = Take(tiles[i].tile->cell, *std::move(results[i]), *inspection.waves);
     if (!status.ok()) inspection.errors.push_back(status);
   }
+  KeepFirst(kMostFileWarnings, "warnings on material files, images and levels of detail", inspection.warnings);
 }
 
 // Tells ground from objects in all cells, and plans; as many threads as cores.

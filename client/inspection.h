@@ -18,7 +18,9 @@ namespace tilemend {
 
 struct Inspection {
   std::unique_ptr<SceneWaves> waves;  // planned; of no use beyond the scene if there are errors
-  std::vector<absl::Status> errors;   // of tiles that cannot be read or do not fit their cell, in order of the cells
+  std::vector<std::string> warnings;  // on files that tiles name, in order of the cells; those of a job's report but
+                                      // for images that cannot be decoded
+  std::vector<absl::Status> errors;  // of tiles that cannot be read or do not fit their cell, in order of the cells
 };
 
 // Is told how many things of a step are done, of how many; by one thread at a time.

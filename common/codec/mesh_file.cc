@@ -1,7 +1,5 @@
 #include "common/codec/mesh_file.h"
 
-#include <utility>
-
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
 #include "common/codec/obj.h"
@@ -10,6 +8,7 @@
 #include "common/codec/stl.h"
 #include "common/codec/text.h"
 #include "common/codec/tree/tile_tree.h"
+#include "common/codec/tree_mesh.h"
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
 
@@ -34,21 +33,9 @@ absl::StatusOr<MeshFormat> MeshFormatOf(std::string_view path) {
 
 namespace {
 
-// The finest level of detail of a tile.
 absl::StatusOr<MeshFile> ParseTileTree(std::string_view pack, const std::string& name, NoFaces no_faces) {
   TILEMEND_ASSIGN_OR_RETURN(const TileTree tile, ReadTileTree(pack, name));
-  MeshFile file;
-  file.format = MeshFormat::kTileTree;
-  file.number_type = NumberType::kFloat32;
-  file.file_bytes = static_cast<int64_t>(pack.size());
-  file.mesh = std::move(LevelOf(tile, tile.levels - 1).mesh);
-  file.level_nodes.resize(static_cast<size_t>(tile.levels));
-  for (const TreePiece& piece : tile.pieces) ++file.level_nodes[static_cast<size_t>(piece.level)];
-  if (file.mesh.points.empty()) return absl::InvalidArgumentError(absl::StrCat(name, ": ", kNoVertices));
-  if (file.mesh.triangles.empty() && no_faces == NoFaces::kRefuse) {
-    return absl::InvalidArgumentError(absl::StrCat(name, ": the file has no triangles"));
-  }
-  return file;
+  return FinestMesh(tile, static_cast<int64_t>(pack.size()), name, no_faces);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "worker/materials/survey_look.h"
 
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "common/codec/obj.h"
 #include "common/codec/ply_colours.h"
 #include "common/codec/tree/tile_tree.h"
+#include "common/codec/tree_mesh.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "worker/ground/lowest_surface.h"
@@ -71,8 +73,8 @@ std::string MissingText(const std::string& name, const std::vector<std::string>&
 
 absl::StatusOr<LookSurvey> SurveyTree(const std::string& path, std::string_view pack, const std::string& name,
                                       const SurveyChoice& choice) {
-  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(MeshFormat::kTileTree, pack, name, choice.no_faces));
   TILEMEND_ASSIGN_OR_RETURN(const TileTree tile, ReadTileTree(pack, name));
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, FinestMesh(tile, std::ssize(pack), name, choice.no_faces));
   const TreeLevel finest = LevelOf(tile, tile.levels - 1);
   TileLook look = ReadTreeLook(path, tile);
   LookSurvey survey{SurveyOf(file, choice), std::move(look.files), std::move(look.witness), file.level_nodes};
@@ -94,6 +96,28 @@ absl::StatusOr<LookSurvey> SurveyWithLook(const std::string& root, const std::st
   if (format == MeshFormat::kObj) return SurveyObj(root, path, bytes, name, choice);
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, name, choice.no_faces));
   return LookSurvey{SurveyOf(file, choice), {}, {}};
+}
+
+absl::StatusOr<MeshWithWarnings> ParseWithWarnings(const std::string& root, const std::string& path,
+                                                   std::string_view bytes, MeshFormat format, NoFaces no_faces) {
+  const std::string name = absl::StrCat(root, "/", path);
+  MeshWithWarnings result;
+  if (format == MeshFormat::kTileTree) {
+    TILEMEND_ASSIGN_OR_RETURN(const TileTree tile, ReadTileTree(bytes, name));
+    TILEMEND_ASSIGN_OR_RETURN(result.file, FinestMesh(tile, std::ssize(bytes), name, no_faces));
+    if (!tile.missing.empty()) result.warnings.push_back(MissingText(name, tile.missing));
+  } else if (format == MeshFormat::kObj) {
+    TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name, no_faces));
+    result.file = std::move(obj.file);
+    TILEMEND_ASSIGN_OR_RETURN(TileLook look, ReadObjLook(root, path, obj.textures));
+    result.warnings = std::move(look.files.warnings);
+  } else {
+    TILEMEND_ASSIGN_OR_RETURN(result.file, ParseMesh(format, bytes, name, no_faces));
+    if (format != MeshFormat::kPly) return result;
+    TILEMEND_ASSIGN_OR_RETURN(TileLook look, ReadPlyLook(root, path, bytes));
+    result.warnings = std::move(look.files.warnings);
+  }
+  return result;
 }
 
 }  // namespace tilemend

@@ -22,6 +22,12 @@ struct LookSurvey {
   std::vector<int32_t> level_nodes = {};  // as MeshFile::level_nodes
 };
 
+// A mesh, and what is wrong with the files that its tile names.
+struct MeshWithWarnings {
+  MeshFile file;
+  std::vector<std::string> warnings;
+};
+
 // What of a survey is wanted, and of which tiles.
 struct SurveyChoice {
   PieceAreas areas = PieceAreas::kYes;
@@ -36,6 +42,11 @@ struct SurveyChoice {
 // (worker/ground/lowest_surface.h). Errors of ParseMesh; files and images that cannot be had are warnings.
 absl::StatusOr<LookSurvey> SurveyWithLook(const std::string& root, const std::string& path, std::string_view bytes,
                                           MeshFormat format, const SurveyChoice& choice = {});
+
+// ParseMesh with the warnings on files of SurveyWithLook, but for those that need an image decoded.
+absl::StatusOr<MeshWithWarnings> ParseWithWarnings(const std::string& root, const std::string& path,
+                                                   std::string_view bytes, MeshFormat format,
+                                                   NoFaces no_faces = NoFaces::kRefuse);
 
 }  // namespace tilemend
 

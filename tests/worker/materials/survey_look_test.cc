@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/image_builders.h"
+#include "tests/support/osgb_scene.h"
 #include "tests/support/temporary_folder.h"
 
 namespace tilemend {
@@ -73,6 +74,20 @@ TEST(SurveyWithLookTest, DamagedMeshesAreErrorsThatNameTheFile) {
   const auto survey = SurveyWithLook("/scene", "T.obj", "mtllib a.mtl\nv 0 0\n", MeshFormat::kObj);
   EXPECT_EQ(survey.status().code(), absl::StatusCode::kInvalidArgument);
   EXPECT_THAT(std::string(survey.status().message()), testing::StartsWith("/scene/T.obj: line 2"));
+}
+
+TEST(ParseWithWarningsTest, TellsOfFilesThatAreMissingWithoutLookingAtColours) {
+  const std::string text = "mtllib none.mtl\n" + kSquare + "f 1 2 3 4\n";
+  const auto obj = ParseWithWarnings("/nowhere", "T.obj", text, MeshFormat::kObj);
+  ASSERT_TRUE(obj.ok()) << obj.status();
+  EXPECT_THAT(obj->file.mesh.triangles, SizeIs(2));
+  EXPECT_EQ(obj->warnings, SurveyWithLook("/nowhere", "T.obj", text, MeshFormat::kObj)->files.warnings);
+  EXPECT_THAT(obj->warnings, ElementsAre(testing::HasSubstr("none.mtl")));
+  const std::string pack = OsgbScene().Pack(0, "_L2_3.osgb");
+  const auto tree = ParseWithWarnings("/nowhere", "T.osgb", pack, MeshFormat::kTileTree);
+  ASSERT_TRUE(tree.ok()) << tree.status();
+  EXPECT_EQ(tree->file.mesh.triangles, ParseMesh(MeshFormat::kTileTree, pack, "T.osgb")->mesh.triangles);
+  EXPECT_THAT(tree->warnings, ElementsAre(testing::HasSubstr("a file that this tile names is missing")));
 }
 
 }  // namespace
