@@ -89,11 +89,12 @@ class AcceptanceCheck {
       result_.findings.push_back({text.name, text.label, text.is_fault, 0, {}});
   }
 
-  absl::StatusOr<Acceptance> Run() {
+  absl::StatusOr<Acceptance> Run(const StepWatcher& watcher) {
     for (size_t t = 0; t < input_.scene.tiles.size(); ++t) {
       const int32_t row = input_.scene.tiles[t].cell.row;
       if (row != row_) Resolve(row - 1);
       row_ = row;
+      if (watcher) watcher("compare the tiles", t, input_.scene.tiles.size(), "cell");
       TILEMEND_RETURN_IF_ERROR(CheckTile(static_cast<int32_t>(t)));
     }
     Resolve(row_ + 2);
@@ -409,10 +410,10 @@ bool Acceptance::IsAccepted() const {
                       [](const AcceptanceFinding& f) { return f.is_fault && f.count > 0; });
 }
 
-absl::StatusOr<Acceptance> CheckAcceptance(const std::string& in, const std::string& out) {
+absl::StatusOr<Acceptance> CheckAcceptance(const std::string& in, const std::string& out, const StepWatcher& watcher) {
   std::vector<std::string> warnings;
   TILEMEND_ASSIGN_OR_RETURN(CheckInput input, LoadInput(in, out, warnings));
-  TILEMEND_ASSIGN_OR_RETURN(Acceptance result, AcceptanceCheck(std::move(input)).Run());
+  TILEMEND_ASSIGN_OR_RETURN(Acceptance result, AcceptanceCheck(std::move(input)).Run(watcher));
   result.warnings = std::move(warnings);
   return result;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "client/step_watcher.h"
 #include "common/grid/scene.h"
 
 namespace tilemend {
@@ -59,7 +60,8 @@ struct Acceptance {
 //
 // Tiles are read one after another; memory is bounded by three rows of border edges and one tile. Cost O(n log n).
 // kNotFound and kInvalidArgument if `in` is no scene or `out` no complete output, or a tile of one cannot be read.
-absl::StatusOr<Acceptance> CheckAcceptance(const std::string& in, const std::string& out);
+absl::StatusOr<Acceptance> CheckAcceptance(const std::string& in, const std::string& out,
+                                           const StepWatcher& watcher = {});
 
 }  // namespace tilemend
 

@@ -10,6 +10,7 @@
 #include "client/job_flags.h"
 #include "client/output.h"
 #include "client/output_file.h"
+#include "client/progress_display.h"
 #include "common/util/exit_codes.h"
 #include "common/util/files.h"
 #include "common/util/text.h"
@@ -28,6 +29,11 @@ absl::Status CheckCsv(const std::string& path) {
       absl::StrCat(Printable(path), ": exists already, and is no list of `tilemend check`; choose another --csv"));
 }
 
+absl::StatusOr<Acceptance> CheckAndShow(const std::string& in, const std::string& out) {
+  StepDisplay display;
+  return CheckAcceptance(in, out, display.Watcher());
+}
+
 }  // namespace
 
 int AcceptanceCommand(const Args& args) {
@@ -35,7 +41,7 @@ int AcceptanceCommand(const Args& args) {
   if (!format.ok()) return PrintUsageError(format.status());
   const std::string csv = args.Text("csv");
   if (const absl::Status status = CheckCsv(csv); !status.ok()) return PrintError(status);
-  const auto acceptance = CheckAcceptance(args.arguments()[0], args.arguments()[1]);
+  const auto acceptance = CheckAndShow(args.arguments()[0], args.arguments()[1]);
   if (!acceptance.ok()) return PrintError(acceptance.status());
   PrintWarnings(acceptance->warnings);
   if (!csv.empty()) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <new>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 
@@ -37,12 +38,13 @@ absl::Status LimitMemory(int64_t bytes) {
   return absl::InvalidArgumentError("--memory: more than the process may take");
 }
 
-absl::StatusOr<FilePatch> Join(const Scene& scene, Progress& progress) {
+absl::StatusOr<FilePatch> Join(const Scene& scene, const StepWatcher& watcher, Progress& progress) {
   FilePatch joined;
   std::unordered_map<std::array<double, 3>, int32_t, PositionHash> number;
   for (const SceneTile& tile : scene.tiles) progress.all += tile.path.empty() ? 0 : 1;
   for (const SceneTile& tile : scene.tiles) {
     if (tile.path.empty()) continue;
+    watcher("join the tiles", progress.tiles, progress.all, "tile");
     TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(absl::StrCat(scene.root, "/", tile.path), tile.frame));
     std::vector<int32_t> of_point;
     for (const Point3& p : file.mesh.points) {
@@ -63,8 +65,9 @@ absl::StatusOr<FilePatch> Join(const Scene& scene, Progress& progress) {
 
 absl::StatusOr<FilledMesh> JoinAndFill(const Scene& scene, const AggregateOptions& options, Progress& progress) {
   {
-    TILEMEND_ASSIGN_OR_RETURN(const FilePatch joined, Join(scene, progress));
+    TILEMEND_ASSIGN_OR_RETURN(const FilePatch joined, Join(scene, options.watcher, progress));
     progress.step = "writing the joined mesh";
+    options.watcher("write the joined mesh", 0, 0, "tile");
     TILEMEND_RETURN_IF_ERROR(
         WriteFileAtomically(options.joined, NewPlyFile(joined, NumberType::kFloat64, FaceMark::kNone)));
   }
@@ -73,6 +76,7 @@ absl::StatusOr<FilledMesh> JoinAndFill(const Scene& scene, const AggregateOption
   fill.fill.filler = Filler::kMinimumArea;
   fill.fill.surface = Surface::kWang;
   fill.fill.wang.longest_loop = options.longest_loop;
+  fill.show = [&options](std::string_view step, size_t done, size_t all) { options.watcher(step, done, all, "hole"); };
   return FillMesh(options.joined, fill);
 }
 

@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "absl/status/statusor.h"
 #include "client/mesh/mesh_filler.h"
+#include "client/step_watcher.h"
 #include "common/grid/scene.h"
 
 namespace tilemend {
@@ -15,6 +17,7 @@ struct AggregateOptions {
   std::string joined;        // where the joined mesh is written before it is filled
   int64_t memory_bytes = 0;  // of address space that the process may take; 0: any
   int32_t longest_loop = 2000;
+  StepWatcher watcher = [](std::string_view, size_t, size_t, std::string_view) {};
 };
 
 // Reads all tiles of the scene, welds equal positions and writes the mesh as a binary PLY of 64-bit numbers. Then it

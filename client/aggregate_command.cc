@@ -16,6 +16,7 @@
 #include "client/left_table.h"
 #include "client/output.h"
 #include "client/output_file.h"
+#include "client/progress_display.h"
 #include "common/util/files.h"
 #include "common/util/place.h"
 #include "common/util/text.h"
@@ -68,6 +69,12 @@ absl::StatusOr<std::string> MakeFolderBeside(const std::string& out) {
   return WithOtherOut(WriteErrnoStatus(errno, "cannot make a folder beside it", out));
 }
 
+absl::StatusOr<FilledMesh> FillAndShow(const Scene& scene, AggregateOptions options) {
+  StepDisplay display;
+  options.watcher = display.Watcher();
+  return AggregateAndFill(scene, options);
+}
+
 void Print(const SceneReportInput& report, const std::string& out, OutputFormat format) {
   if (format == OutputFormat::kJson) {
     std::fputs(SceneReport(report).c_str(), stdout);
@@ -109,7 +116,7 @@ int AggregateCommand(const Args& args) {
     lock->Release();
   });
   options->joined = absl::StrCat(*folder, "/joined.ply");
-  auto filled = AggregateAndFill(*scene, *options);
+  auto filled = FillAndShow(*scene, *options);
   signals.Stop();
   if (!filled.ok()) return PrintError(filled.status());
   // Somebody else may have written there since.

@@ -17,6 +17,7 @@
 #include "client/mesh/single_mesh.h"
 #include "client/output.h"
 #include "client/output_tiles.h"
+#include "client/progress_display.h"
 #include "client/unfinished.h"
 #include "common/codec/mesh_file.h"
 #include "common/grid/cell_choice.h"
@@ -296,23 +297,35 @@ int CheckMesh(const std::string& path, const Limits& limits, OutputFormat format
   return Finish(path, limits, all, waves.plan(), format);
 }
 
+// The plan of the scene; what is wrong with its tiles goes to `all`.
+absl::StatusOr<Inspection> CheckTiles(Scene scene, const CheckLimits& limits, Findings& all) {
+  StepDisplay display;
+  PlanOptions options;
+  options.water.find = false;
+  Inspection inspection = InspectScene(std::move(scene), options, display.Watcher());
+  if (!inspection.errors.empty()) return inspection.errors.front();
+  const std::vector<SceneTile>& tiles = inspection.waves->scene().tiles;
+  const auto has_file = [](const SceneTile& tile) { return !tile.path.empty(); };
+  const auto count = static_cast<size_t>(std::ranges::count_if(tiles, has_file));
+  size_t done = 0;
+  for (const SceneTile& tile : tiles) {
+    if (!has_file(tile)) continue;
+    display.Show("look for faults", done++, count, "tile");
+    const std::string file = absl::StrCat(inspection.waves->scene().root, "/", tile.path);
+    TILEMEND_RETURN_IF_ERROR(CheckFile(file, tile.frame, limits, all));
+  }
+  return inspection;
+}
+
 int CheckScene(const std::string& path, const Limits& limits, OutputFormat format) {
   if (const auto finished = CheckFinished(path); !finished.ok()) return PrintError(finished);
   auto checked = SceneAt(path);
   if (!checked.ok()) return PrintError(checked.status());
-  PlanOptions options;
-  options.water.find = false;
-  const Inspection inspection = InspectScene(std::move(checked->scene), options);
-  for (const absl::Status& error : inspection.errors) return PrintError(error);
   Findings all;
   all.tiles = std::move(checked->tiles);
-  for (const SceneTile& tile : inspection.waves->scene().tiles) {
-    if (tile.path.empty()) continue;
-    const std::string file = absl::StrCat(inspection.waves->scene().root, "/", tile.path);
-    const absl::Status status = CheckFile(file, tile.frame, limits.mesh, all);
-    if (!status.ok()) return PrintError(status);
-  }
-  return Finish(path, limits, all, inspection.waves->plan(), format);
+  const auto inspection = CheckTiles(std::move(checked->scene), limits.mesh, all);
+  if (!inspection.ok()) return PrintError(inspection.status());
+  return Finish(path, limits, all, inspection->waves->plan(), format);
 }
 
 }  // namespace

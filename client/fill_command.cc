@@ -165,7 +165,7 @@ absl::StatusOr<v1::JobSpec> FillSpecFromFlags(const Args& args) {
 
 absl::StatusOr<FilledMesh> FillAndShow(const std::string& in, MeshFillOptions options) {
   StepDisplay display;
-  options.show = [&display](std::string_view step, size_t done, size_t all) { display.Show(step, done, all); };
+  options.show = [&display](std::string_view step, size_t done, size_t all) { display.Show(step, done, all, "hole"); };
   return FillMesh(in, options);
 }
 

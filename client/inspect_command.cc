@@ -178,8 +178,7 @@ absl::StatusOr<Inspection> InspectSceneOf(const Request& request, Scene scene) {
   TILEMEND_RETURN_IF_ERROR(ApplyAreaChoice(request.area, scene).status());
   TILEMEND_ASSIGN_OR_RETURN(const PlanOptions options, PlanOptionsOf(request, scene));
   StepDisplay display;
-  return InspectScene(std::move(scene), options,
-                      [&](std::string_view step, size_t done, size_t all) { display.Show(step, done, all); });
+  return InspectScene(std::move(scene), options, display.Watcher());
 }
 
 absl::Status CheckIsNew(const std::string& path) {

@@ -87,17 +87,18 @@ absl::StatusOr<Looked> Look(const Scene& scene, const SurveyWork& work) {
 
 unsigned Cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-// Calls `use` with each number below `count`, on as many threads as there are cores.
+// Calls `use` with each number below `count`, one for each tile, on as many threads as there are cores.
 void ForEachOnAllCores(std::string_view step, size_t count, const StepWatcher& watcher,
                        const std::function<void(size_t)>& use) {
   std::atomic<size_t> next{0};
   std::mutex mutex;
   size_t done = 0;
+  if (watcher && count > 0) watcher(step, 0, count, "tile");
   const auto work = [&] {
     for (size_t i = next++; i < count; i = next++) {
       use(i);
       const std::lock_guard lock(mutex);
-      if (watcher) watcher(step, ++done, count);
+      if (watcher) watcher(step, ++done, count, "tile");
     }
   };
   std::vector<std::thread> threads;

@@ -2,15 +2,13 @@
 #ifndef TILEMEND_CLIENT_INSPECTION_H_
 #define TILEMEND_CLIENT_INSPECTION_H_
 
-#include <cstddef>
-#include <functional>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "client/step_watcher.h"
 #include "common/codec/mesh_file.h"
 #include "coordinator/waves/scene_waves.h"
 
@@ -20,11 +18,8 @@ struct Inspection {
   std::unique_ptr<SceneWaves> waves;  // planned; of no use beyond the scene if there are errors
   std::vector<std::string> warnings;  // on files that tiles name, in order of the cells; those of a job's report but
                                       // for images that cannot be decoded
-  std::vector<absl::Status> errors;  // of tiles that cannot be read or do not fit their cell, in order of the cells
+  std::vector<absl::Status> errors;   // of tiles that cannot be read or do not fit their cell, in order of the cells
 };
-
-// Is told how many things of a step are done, of how many; by one thread at a time.
-using StepWatcher = std::function<void(std::string_view step, size_t done, size_t all)>;
 
 // Surveys all tiles of a scene, or a single mesh (SceneOfMesh), as many at once as there are cores, and plans. Keeps
 // freed memory for the process (KeepHeap).

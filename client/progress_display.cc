@@ -41,6 +41,21 @@ std::string TimesText(const v1::Job& job, double share, absl::Time now) {
   return absl::StrCat(text, ", ", DurationText(elapsed * ((1 - share) / share)), " left");
 }
 
+std::string ProgressText(const v1::Job& job, double share, absl::Time now) {
+  const v1::Progress& p = job.progress();
+  const auto counted = [](int64_t done, int64_t all, const char* of) {
+    return all == 0 ? "" : absl::StrCat(", ", Share(done, all), of);
+  };
+  return absl::StrCat(p.phase().empty() ? "prepare" : Printable(p.phase()),
+                      counted(p.tasks_done(), p.tasks(), " tasks"), counted(p.cells_done(), p.cells(), " cells"),
+                      job.waiting().empty() ? TimesText(job, share, now) : ", waits: " + Printable(job.waiting()));
+}
+
+std::string StepText(std::string_view step, size_t done, size_t all, std::string_view unit, absl::Duration elapsed) {
+  return absl::StrCat(std::string(step), all == 0 ? "" : absl::StrCat(", ", done, "/", Counted(all, std::string(unit))),
+                      ", ", DurationText(elapsed));
+}
+
 std::string BarLine(double share, const std::string& text, size_t columns) {
   constexpr size_t kLongest = 30, kShortest = 10, kFrame = 3;  // brackets and a blank
   size_t length = kLongest;
@@ -94,10 +109,7 @@ void ProgressDisplay::ShowLines(const v1::Job& job) {
 void ProgressDisplay::ShowBar(const v1::Job& job) {
   const v1::Progress& p = job.progress();
   share_ = std::max(share_, ShareDone(p.phase(), p.cells(), p.cells_done(), p.tasks(), p.tasks_done()));
-  DrawBar(share_, absl::StrCat(Printable(p.phase()), ", ", Share(p.tasks_done(), p.tasks()), " tasks, ",
-                               Share(p.cells_done(), p.cells()), " cells",
-                               job.waiting().empty() ? TimesText(job, share_, absl::Now())
-                                                     : ", waits: " + Printable(job.waiting())));
+  DrawBar(share_, ProgressText(job, share_, absl::Now()));
   has_bar_ = true;
 }
 
@@ -107,15 +119,18 @@ StepDisplay::~StepDisplay() {
   if (!step_.empty()) std::fputs(kEraseLine, stderr);
 }
 
-void StepDisplay::Show(std::string_view step, size_t done, size_t all) {
+StepWatcher StepDisplay::Watcher() {
+  return [this](std::string_view step, size_t done, size_t all, std::string_view unit) { Show(step, done, all, unit); };
+}
+
+void StepDisplay::Show(std::string_view step, size_t done, size_t all, std::string_view unit) {
   constexpr absl::Duration kBetween = absl::Milliseconds(100);
   const absl::Time now = absl::Now();
   if (!is_terminal_ || (step == step_ && now - shown_ < kBetween)) return;
   step_ = step;
   shown_ = now;
-  const std::string holes = all == 0 ? "" : absl::StrCat(", ", done, "/", Counted(all, "hole"));
   DrawBar(all == 0 ? 0 : static_cast<double>(done) / static_cast<double>(all),
-          absl::StrCat(step_, holes, ", ", DurationText(now - begin_)));
+          StepText(step, done, all, unit, now - begin_));
 }
 
 }  // namespace tilemend

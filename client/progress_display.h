@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "absl/time/time.h"
+#include "client/step_watcher.h"
 #include "tilemend/v1/jobs.pb.h"
 
 namespace tilemend {
@@ -19,6 +20,13 @@ std::string BarLine(double share, const std::string& text, size_t columns);
 // ", 2 min 05 s, 1 min 10 s left": since the job was made and, once `share` is enough to guess it by, until its end. Of
 // a job that is over how long it took.
 std::string TimesText(const v1::Job& job, double share, absl::Time now);
+
+// "fill, 3/24 tasks, 2/9 cells, 12 s": what is said of a job beside its bar, with TimesText or why it waits. What is
+// not known yet is left out.
+std::string ProgressText(const v1::Job& job, double share, absl::Time now);
+
+// "look at the tiles, 3/24 tiles, 12 s". `all` 0: nothing is counted.
+std::string StepText(std::string_view step, size_t done, size_t all, std::string_view unit, absl::Duration elapsed);
 
 // Erases the bar that may be on stderr.
 void EraseBar();
@@ -48,7 +56,9 @@ class StepDisplay {
   StepDisplay();
   ~StepDisplay();
   // `all` 0: it is not known how much there is. Shown at most ten times a second, each step at least once.
-  void Show(std::string_view step, size_t done, size_t all);
+  void Show(std::string_view step, size_t done, size_t all, std::string_view unit);
+  // Calls Show. This object outlives it.
+  StepWatcher Watcher();
 
  private:
   const bool is_terminal_;

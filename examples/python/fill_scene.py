@@ -11,7 +11,8 @@ try:
     with tilemend.Client(address) as client:  # far away: ca=, cert= and key=, or ca= and token_file=
         job = client.submit(scene, out)
         for job in client.watch(job):
-            print(f'{job.progress.stage}: {job.progress.holes_filled} of {job.progress.holes} holes', file=sys.stderr)
+            if job.progress.stage:  # empty until the scene is read
+                print(f'{job.progress.stage}: {job.progress.holes_filled} of {job.progress.holes} holes', file=sys.stderr)
 except tilemend.Error as error:
     sys.exit(f'{error} ({error.reason})')
 if not job.report:

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "absl/strings/str_cat.h"
 #include "common/codec/mesh_file.h"
 #include "common/util/files.h"
 #include "tests/support/mesh_builders.h"
@@ -53,6 +56,18 @@ TEST_F(AggregateTest, OpenHolesBecomeOneClosedHole) {
   const auto mesh = ParseMesh(MeshFormat::kPly, filled->bytes, "filled");
   ASSERT_TRUE(mesh.ok());
   EXPECT_GT(mesh->mesh.triangles.size(), joined->mesh.triangles.size());
+}
+
+TEST_F(AggregateTest, TellsHowFarItIs) {
+  std::vector<std::string> told;
+  options_.watcher = [&](std::string_view step, size_t done, size_t all, std::string_view unit) {
+    told.push_back(absl::StrCat(std::string(step), " ", done, "/", all, " ", std::string(unit)));
+  };
+  ASSERT_TRUE(AggregateAndFill(TwoCells(8), options_).ok());
+  ASSERT_GE(told.size(), 4u);
+  EXPECT_EQ(told[0], "join the tiles 0/2 tile");
+  EXPECT_EQ(told[1], "join the tiles 1/2 tile");
+  EXPECT_EQ(told.back(), "fill 1/1 hole");
 }
 
 TEST_F(AggregateTest, MarksWhatItFillsAlone) {

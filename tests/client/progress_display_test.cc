@@ -38,5 +38,24 @@ TEST(TimesTextTest, GuessesTheRestOfAJobThatRuns) {
   EXPECT_EQ(TimesText(job, 1, now), ", 1 min 04 s");
 }
 
+TEST(ProgressTextTest, LeavesOutWhatIsNotKnownYet) {
+  v1::Job job;
+  job.mutable_create_time()->set_seconds(1000);
+  const absl::Time now = absl::FromUnixSeconds(1000);
+  EXPECT_EQ(ProgressText(job, 0, now), "prepare, less than 1 s");
+  job.mutable_progress()->set_phase("survey");
+  job.mutable_progress()->set_cells(9);
+  EXPECT_EQ(ProgressText(job, 0, now), "survey, 0/9 cells, less than 1 s");
+  job.mutable_progress()->set_tasks(24);
+  job.mutable_progress()->set_tasks_done(3);
+  job.set_waiting("no worker is connected");
+  EXPECT_EQ(ProgressText(job, 0, now), "survey, 3/24 tasks, 0/9 cells, waits: no worker is connected");
+}
+
+TEST(StepTextTest, SaysWhatIsCounted) {
+  EXPECT_EQ(StepText("look at the tiles", 3, 24, "tile", absl::Seconds(12)), "look at the tiles, 3/24 tiles, 12 s");
+  EXPECT_EQ(StepText("read", 0, 0, "hole", absl::Seconds(12)), "read, 12 s");
+}
+
 }  // namespace
 }  // namespace tilemend
