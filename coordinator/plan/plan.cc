@@ -356,7 +356,7 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   if (!options.cancelled()) LayStripEdges(layout.lines, plan);
   if (options.cancelled()) return {};
   if (input.has_grid) LeaveClearedCells(input.grid, options.water.areas, plan);
-  AnswerWaterAreas(options.water, plan);
+  AnswerWaterAreas(options.water, plan, BoundsOfCells(input));
   DropUnusedVertices(plan);
   return plan;
 }

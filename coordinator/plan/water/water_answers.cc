@@ -25,6 +25,7 @@ constexpr char kMostlyOpen[] =
     "it; "
     "leave \"clear\" out, or give level_m";
 constexpr char kMaybeSurface[] = ". If the water is there as surface, add \"clear\": true";
+constexpr char kOutside[] = "it lies outside the scene; are its coordinates those of this scene?";
 constexpr char kTakenOut[] = "; surface was taken out under it all the same";
 constexpr double kCovers = 0.9;  // share of what is made water by it that lies under an area
 
@@ -77,6 +78,19 @@ std::string WhyNoWater(const Plan& plan, const Body& body) {
   return "the hole that it covers has no shore";
 }
 
+// Whether the bounds of the polygon meet those of the scene.
+bool Meets(const PlanePolygon& polygon, const PlaneBounds& scene) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Point2 low = Point2::Constant(kInfinity), high = -low;
+  for (const std::vector<Point2>& ring : polygon.rings) {
+    for (const Point2& p : ring) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  }
+  return (low.array() <= scene.high.array()).all() && (high.array() >= scene.low.array()).all();
+}
+
 // How much of its centreline lies in an area.
 double LengthInside(const WaterArea& area) {
   double length = 0;
@@ -91,7 +105,8 @@ double LengthInside(const WaterArea& area) {
 
 class Answers {
  public:
-  Answers(const std::vector<WaterArea>& areas, Plan& plan) : areas_(areas), plan_(plan), bodies_(BodiesOf(plan)) {
+  Answers(const std::vector<WaterArea>& areas, const std::optional<PlaneBounds>& scene, Plan& plan)
+      : areas_(areas), scene_(scene), plan_(plan), bodies_(BodiesOf(plan)) {
     shares_.resize(areas.size());
     for (size_t b = 0; b < bodies_.size(); ++b) {
       Body& body = bodies_[b];
@@ -135,8 +150,10 @@ class Answers {
       }
       answer.taken = !answer.holes.empty();
       answer.is_over_hole = !shares_[a].empty();
-      if (shares_[a].empty()) answer.reason = "no hole lies under it";
-      const bool may_clear = answer.water && !areas_[a].clear && answer.decision == ReviewDecision::kNone;
+      const bool is_outside = scene_ && !Meets(areas_[a].polygon, *scene_);
+      if (shares_[a].empty()) answer.reason = is_outside ? kOutside : "no hole lies under it";
+      const bool may_clear =
+          answer.water && !areas_[a].clear && !is_outside && answer.decision == ReviewDecision::kNone;
       if (!answer.taken && may_clear && CoversNoWaterHole(a)) answer.reason += kMaybeSurface;
       if (!answer.taken && !areas_[a].cleared_cells.empty()) answer.reason += kTakenOut;
       if (answer.taken && answer.water) {
@@ -276,6 +293,7 @@ class Answers {
   }
 
   const std::vector<WaterArea>& areas_;
+  const std::optional<PlaneBounds>& scene_;
   Plan& plan_;
   std::vector<Body> bodies_;
   std::vector<std::vector<std::pair<size_t, double>>> shares_;  // by area: bodies that it covers some of
@@ -283,8 +301,20 @@ class Answers {
 
 }  // namespace
 
-void AnswerWaterAreas(const WaterOptions& options, Plan& plan) {
-  if (!options.areas.empty()) Answers(options.areas, plan).Run();
+std::optional<PlaneBounds> BoundsOfCells(const PlanInput& input) {
+  if (!input.has_grid || input.cells.empty()) return std::nullopt;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  PlaneBounds bounds{Point2::Constant(kInfinity), Point2::Constant(-kInfinity)};
+  for (const auto& [cell, record] : input.cells) {
+    const Point2 low = input.grid.corner + input.grid.cell_size.cwiseProduct(Point2(cell.col, cell.row));
+    bounds.low = bounds.low.cwiseMin(low);
+    bounds.high = bounds.high.cwiseMax(low + input.grid.cell_size);
+  }
+  return bounds;
+}
+
+void AnswerWaterAreas(const WaterOptions& options, Plan& plan, const std::optional<PlaneBounds>& scene) {
+  if (!options.areas.empty()) Answers(options.areas, scene, plan).Run();
 }
 
 }  // namespace tilemend

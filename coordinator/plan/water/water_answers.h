@@ -2,14 +2,25 @@
 #ifndef TILEMEND_COORDINATOR_PLAN_WATER_WATER_ANSWERS_H_
 #define TILEMEND_COORDINATOR_PLAN_WATER_WATER_ANSWERS_H_
 
+#include <optional>
+
 #include "coordinator/plan/types/plan_types.h"
 
 namespace tilemend {
 
+// Of the cells of a scene.
+struct PlaneBounds {
+  Point2 low, high;
+};
+
+// None without a grid.
+std::optional<PlaneBounds> BoundsOfCells(const PlanInput& input);
+
 // Fills plan.water_answers, one for each of options.areas, from what FindWater has decided. An area is taken if some
 // body is filled as it says, and it is the last that covers more than half of that body. The reason is about the body
-// of which it covers most, if that is not filled so. Cost O(areas * bodies), and as CoverLines where they meet.
-void AnswerWaterAreas(const WaterOptions& options, Plan& plan);
+// of which it covers most, if that is not filled so, or that the area lies outside `scene`. Cost O(areas * bodies), and
+// as CoverLines where they meet.
+void AnswerWaterAreas(const WaterOptions& options, Plan& plan, const std::optional<PlaneBounds>& scene = std::nullopt);
 
 }  // namespace tilemend
 

@@ -144,6 +144,20 @@ TEST_F(WaterAnswersTest, WhereThereIsNoHoleTheWaterMayBeThereAsSurface) {
   }
 }
 
+TEST_F(WaterAnswersTest, SaysThatAnAreaLiesOutsideTheScene) {
+  PlanInput input;
+  input.grid.cell_size = Point2(50, 50);
+  for (const CellId cell : {CellId{0, 0}, CellId{1, 0}}) input.cells[cell] = nullptr;
+  WaterOptions options;
+  options.areas = {{true, {{Box(140000, 0, 140010, 10)}}}, {true, {{Box(80, 0, 140000, 10)}}}};
+  AnswerWaterAreas(options, plan_, BoundsOfCells(input));
+  ASSERT_THAT(plan_.water_answers, SizeIs(2));
+  EXPECT_EQ(plan_.water_answers[0].reason, "it lies outside the scene; are its coordinates those of this scene?");
+  EXPECT_THAT(plan_.water_answers[1].reason, HasSubstr("no hole lies under it. If"));
+  input.has_grid = false;
+  EXPECT_FALSE(BoundsOfCells(input).has_value());
+}
+
 TEST_F(WaterAnswersTest, ADecisionOverNoHoleIsNoPolygonOfWater) {
   AddHole(HoleKind::kOpenI, Box(60, 0, 70, 10)).water = 0;
   std::vector<WaterArea> areas = {{true, {{Box(80, 0, 90, 10)}}}, {true, {{Box(60, 0, 63, 10)}}}};
