@@ -9,7 +9,7 @@ from typing import Any, Callable, Iterator, List, Optional, Sequence, Tuple, Uni
 
 import grpc
 
-from ._errors import Error, InvalidInput, JobFailed, TimedOut, Unavailable, from_status, with_keywords
+from ._errors import Error, InvalidInput, JobFailed, NotFound, TimedOut, Unavailable, from_status, with_keywords
 from ._jobs import Job, JobState, Worker, job_of, worker_of
 from ._specs import request_of
 from ._submit import Submitter
@@ -76,8 +76,11 @@ class Client(Submitter):
         self._channel.close()
 
     def get(self, job: Union[str, Job]) -> Job:
-        """The job as it is now. NotFound if there is none."""
-        return _job(self._call(self._jobs.GetJob, request_of(jobs_pb2.GetJobRequest, name=_name(job))))
+        """The job as it is now. NotFound if there is none.
+
+        Here and below a job is also named by the beginning of its id, if no other begins so.
+        """
+        return self._call_for(job, self._jobs.GetJob, jobs_pb2.GetJobRequest)
 
     def jobs(self, states: Union[JobState, Sequence[JobState]] = ()) -> List[Job]:
         """All jobs, newest first, or those in one of `states` ("RUNNING", ...)."""
@@ -126,6 +129,11 @@ class Client(Submitter):
                 raise _closed() from None
             except grpc.RpcError as error:
                 now = time.monotonic()
+                if error.code() == grpc.StatusCode.NOT_FOUND and request.name == name:
+                    whole = self._whole_name(name)
+                    if whole is not None and whole != name:
+                        request.name = whole
+                        continue
                 if end is not None and now >= end:
                     raise _timed_out(name) from None
                 if give_up is None or now - begun > _CONNECTED_S:
@@ -166,25 +174,24 @@ class Client(Submitter):
 
     def cancel(self, job: Union[str, Job]) -> Job:
         """Ends a job; one that is cancelled stays so. Conflict (JOB_OVER) if it is done or has failed."""
-        return _job(self._call(self._jobs.CancelJob, request_of(jobs_pb2.CancelJobRequest, name=_name(job))))
+        return self._call_for(job, self._jobs.CancelJob, jobs_pb2.CancelJobRequest)
 
     def pause(self, job: Union[str, Job]) -> Job:
         """Gives out no task of the job until `resume`."""
-        return _job(self._call(self._jobs.PauseJob, request_of(jobs_pb2.PauseJobRequest, name=_name(job))))
+        return self._call_for(job, self._jobs.PauseJob, jobs_pb2.PauseJobRequest)
 
     def resume(self, job: Union[str, Job]) -> Job:
         """Goes on with a paused job."""
-        return _job(self._call(self._jobs.ResumeJob, request_of(jobs_pb2.ResumeJobRequest, name=_name(job))))
+        return self._call_for(job, self._jobs.ResumeJob, jobs_pb2.ResumeJobRequest)
 
     def prioritize(self, job: Union[str, Job], priority: int) -> Job:
         """Gives a job another priority, -100 to 100."""
-        request = request_of(jobs_pb2.PrioritizeJobRequest, name=_name(job), priority=priority)
-        return _job(self._call(self._jobs.PrioritizeJob, request))
+        return self._call_for(job, self._jobs.PrioritizeJob, jobs_pb2.PrioritizeJobRequest, priority=priority)
 
     def retry(self, job: Union[str, Job], *, overwrite: bool = False) -> Job:
         """A new job like one that is over. With `overwrite` it may replace a complete output."""
-        request = jobs_pb2.RetryJobRequest(name=_name(job), request_id=str(uuid.uuid4()), overwrite=overwrite)
-        return _job(self._call(self._jobs.RetryJob, request))
+        return self._call_for(job, self._jobs.RetryJob, jobs_pb2.RetryJobRequest, request_id=str(uuid.uuid4()),
+                              overwrite=overwrite)
 
     def workers(self) -> List[Worker]:
         """All workers that call the coordinator, by id."""
@@ -203,6 +210,25 @@ class Client(Submitter):
         except Unavailable as error:
             error.metadata['request_id'] = request.request_id
             raise
+
+    def _call_for(self, job: Union[str, Job], method: Any, message: Any, **fields: Any) -> Job:
+        """Calls `method` for the job that is named. Only if there is none of that name, for the one that begins so."""
+        name = _name(job)
+        try:
+            return _job(self._call(method, request_of(message, name=name, **fields)))
+        except NotFound as error:
+            whole = self._whole_name(name) if error.reason == 'JOB_NOT_FOUND' else None
+            if whole is None:
+                raise
+        return _job(self._call(method, request_of(message, name=whole, **fields)))
+
+    def _whole_name(self, beginning: str) -> Optional[str]:
+        """Of the only job whose name begins so; None if there is none. InvalidInput if there are several."""
+        found = [job.name for job in self.iter_jobs() if job.name.startswith(beginning)]
+        if len(found) > 1:
+            more = ', ...' if len(found) > 2 else ''
+            raise InvalidInput(f'{beginning!r}: several jobs begin so: {found[0]}, {found[1]}{more}')
+        return found[0] if found else None
 
     def _call(self, method: Any, request: Any) -> Any:
         metadata = self._metadata()

@@ -15,6 +15,7 @@ from ._options import SWITCH, documented
 from ._types import FillProgress, Rows
 
 _MOST_ROWS = 2**31 - 1
+_SHAPES = {'vertices': '(n, 3)', 'faces': '(m, 3)'}
 
 
 def options() -> List[Dict[str, str]]:
@@ -80,16 +81,16 @@ def _array(name: str, given: ArrayLike, dtype: Any) -> NDArray[Any]:
     try:
         array = np.asarray(given, dtype)
     except (TypeError, ValueError, OverflowError) as error:
-        raise TypeError(f'{name}: cannot be made an array of shape (n, 3): {error}') from None
+        raise TypeError(f'{name}: cannot be made an array of shape {_SHAPES[name]}: {error}') from None
     if array.ndim == 0:
-        raise TypeError(f'{name}: has type {type(given).__name__}; expected an array of shape (n, 3)')
+        raise TypeError(f'{name}: has type {type(given).__name__}; expected an array of shape {_SHAPES[name]}')
     return array
 
 
 def _check_rows(name: str, array: NDArray[Any]) -> None:
     """Before anything is converted."""
     if array.ndim != 2 or array.shape[1] != 3:
-        raise InvalidInput(f'{name}: has shape {array.shape}; expected (n, 3)')
+        raise InvalidInput(f'{name}: has shape {array.shape}; expected {_SHAPES[name]}')
     if len(array) > _MOST_ROWS:
         raise InvalidInput(f'{name}: {len(array)} rows; expected at most {_MOST_ROWS}')
     if np.ma.is_masked(array):

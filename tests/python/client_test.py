@@ -82,6 +82,8 @@ class ClientTest(unittest.TestCase):
             self.assertEqual(client.wait(job.name.split('/')[1], timeout=60, on_progress=told.append), told[-1])
             self.assertEqual((told[-1].state, client.wait(job, timeout=0)), ('DONE', told[-1]))
             self.assertEqual(client.get(job), seen[-1])
+            self.assertEqual(client.get(job.name[5:9]), seen[-1])
+            self.assertEqual([state.name for state in client.watch(job.name[:9])], [job.name])
             self.assertEqual([job.name], [found.name for found in client.jobs(['DONE'])])
             self.assertEqual(client.jobs('FAILED'), [])
             self.assertEqual([(worker.state, worker.tasks) for worker in client.workers()], [('WORKING', 0)])
@@ -92,6 +94,8 @@ class ClientTest(unittest.TestCase):
             again = client.retry(job, overwrite=True)
             self.assertNotEqual(again.name, job.name)
             self.assertEqual(client.wait(again).state, 'DONE')
+            with self.assertRaisesRegex(tilemend.InvalidInput, 'jobs/.*: several jobs begin so: jobs/'):
+                client._whole_name('jobs/')
             self.check_report(out)
             self.check_decisions(client, scene, out)
 

@@ -175,11 +175,11 @@ class ErrorTest(unittest.TestCase):
         self.expect(TypeError, 'faces: has dtype bool', faces=self.faces.astype(bool))
         self.expect(TypeError, 'faces: has dtype object', faces=self.faces.astype(object))
         self.expect(ValueError, 'vertices: has shape (49, 2); expected (n, 3)', self.vertices[:, :2])
-        self.expect(ValueError, 'faces: has shape (192,); expected (n, 3)', faces=self.faces.ravel())
+        self.expect(ValueError, 'faces: has shape (192,); expected (m, 3)', faces=self.faces.ravel())
         self.expect(ValueError, 'faces: has shape ()', faces=np.array(3))
         self.expect(ValueError, 'vertices: there are none', np.zeros((0, 3)))
         self.expect(TypeError, 'vertices: cannot be made an array', [[1, 2], [3]])
-        self.expect(TypeError, 'faces: has type dict; expected an array of shape (n, 3)', faces={})
+        self.expect(TypeError, 'faces: has type dict; expected an array of shape (m, 3)', faces={})
         masked = np.ma.masked_array(self.vertices, self.vertices > 3)
         self.expect(ValueError, 'vertices: has masked values; leave these rows out', masked)
         many = np.broadcast_to(np.zeros(3), (2**31, 3))  # 51 GB if it were copied
