@@ -49,9 +49,8 @@ FlagSpec OutputFlag();
 // All above, for the table of main.
 std::vector<Command> ServiceCommands();
 
-// Finds the command that the words after the program's name ask for and runs it. Also answers help, --help, --help-all
-// and
-// --version.
+// Finds the command that the words after the program's name ask for and runs it. Also answers help, and --help,
+// --help-all and --version, of a command as well.
 int Dispatch(const std::vector<Command>& commands, const std::vector<std::string>& words);
 
 }  // namespace tilemend

@@ -30,6 +30,11 @@ int AfterPrinting(int code) {
   return printed.ok() ? code : PrintError(printed);
 }
 
+int PrintVersion() {
+  std::printf("tilemend %s\n", Version());
+  return AfterPrinting(kExitDone);
+}
+
 int PrintDescription(const std::vector<Command>& commands, const std::string& form) {
   Manual manual{"tilemend",
                 "fills the holes of very large triangle meshes that are stored as tiles",
@@ -57,7 +62,7 @@ std::string Help(const std::vector<Command>& commands) {
   absl::StrAppend(&text,
                   "  help COMMAND                    show the flags of a command; COMMAND --help-all shows all\n"
                   "\n",
-                  FlagsHelp(OwnFlags(), ColumnsOfTerminal(STDOUT_FILENO)),
+                  FlagsHelp(OwnFlags(), ColumnsOfHelp(STDOUT_FILENO)),
                   "\n"
                   "Exit codes: 0 done, 2 usage, 3 not found, 4 invalid input, 5 try again, 6 failed, 7 cancelled,\n"
                   "100 done but some holes or cells are left.\n");
@@ -70,7 +75,7 @@ std::string UsageOf(const Command& command) {
 
 std::string HelpOf(const Command& command, bool all) {
   std::string text = absl::StrCat("Usage: ", UsageOf(command), " [FLAGS]\n\n", command.summary, "\n\n",
-                                  FlagsHelp(command.flags, ColumnsOfTerminal(STDOUT_FILENO), all));
+                                  FlagsHelp(command.flags, ColumnsOfHelp(STDOUT_FILENO), all));
   if (!command.examples.empty()) absl::StrAppend(&text, "\nExamples:\n");
   for (const std::string& example : command.examples) absl::StrAppend(&text, "  tilemend ", example, "\n");
   return text;
@@ -140,10 +145,7 @@ int Dispatch(const std::vector<Command>& commands, const std::vector<std::string
     std::fputs(Help(commands).c_str(), stderr);
     return kExitUsage;
   }
-  if (words[0] == "--version" || words[0] == "version") {
-    std::printf("tilemend %s\n", Version());
-    return AfterPrinting(kExitDone);
-  }
+  if (words[0] == "--version" || words[0] == "version") return PrintVersion();
   if (words[0] == "--describe") return PrintDescription(commands, words.size() > 1 ? words[1] : "");
   const bool help = words[0] == "help" || words[0] == "--help" || words[0] == "-h";
   if (help && words.size() == 1) {
@@ -156,6 +158,7 @@ int Dispatch(const std::vector<Command>& commands, const std::vector<std::string
     names.push_back(command.name);
     if (command.name != name) continue;
     const std::vector<std::string> rest(words.begin() + (help ? 2 : 1), words.end());
+    if (Has(rest, "--version")) return PrintVersion();
     const bool all = Has(rest, "--help-all");
     if (!help && !all && !Has(rest, "--help") && !Has(rest, "-h")) return RunParsed(command, rest);
     std::fputs(HelpOf(command, all).c_str(), stdout);

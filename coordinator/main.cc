@@ -327,7 +327,7 @@ int PrintDescription(const std::string& form) {
 std::optional<int> Answer(const Flags& flags) {
   if (flags.Switch("help")) {
     std::printf("Usage: tilemend-coordinator --work DIR [FLAGS]\n\n%s",
-                FlagsHelp(CoordinatorFlags(), ColumnsOfTerminal(STDOUT_FILENO)).c_str());
+                FlagsHelp(CoordinatorFlags(), ColumnsOfHelp(STDOUT_FILENO)).c_str());
     return kExitDone;
   }
   if (flags.IsGiven("describe")) return PrintDescription(flags.Text("describe"));

@@ -174,8 +174,7 @@ int PrintDescription(const std::string& form) {
 // Answers what is asked about the program itself, if anything is. Settings have no part in it.
 std::optional<int> Answer(const Flags& flags) {
   if (flags.Switch("help")) {
-    std::printf("Usage: tilemend-worker [FLAGS]\n\n%s",
-                FlagsHelp(WorkerFlags(), ColumnsOfTerminal(STDOUT_FILENO)).c_str());
+    std::printf("Usage: tilemend-worker [FLAGS]\n\n%s", FlagsHelp(WorkerFlags(), ColumnsOfHelp(STDOUT_FILENO)).c_str());
     return kExitDone;
   }
   if (flags.IsGiven("describe")) return PrintDescription(flags.Text("describe"));

@@ -74,6 +74,9 @@ absl::StatusOr<std::set<CellId>> ChooseCells(const std::string& text, const Scen
       cells.insert(tile.cell);
     }
     if (any) continue;
+    if (range.low == range.high) {
+      return absl::InvalidArgumentError(absl::StrCat("cell ", ToString(range.low), ": the scene does not have it"));
+    }
     return absl::InvalidArgumentError(
         absl::StrCat("cells ", ToString(range.low), " to ", ToString(range.high), ": the scene has none of them"));
   }

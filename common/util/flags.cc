@@ -43,10 +43,21 @@ absl::Status EmptyValue(const FlagSpec& spec) {
   return absl::InvalidArgumentError(absl::StrCat("--", spec.name, " is empty; expected ", spec.value));
 }
 
+// `-out`, which would be `-o` with the value "ut": the long name of a flag behind one dash.
+bool HasOneDash(const std::vector<FlagSpec>& specs, const std::string& word) {
+  if (word.size() < 3 || word[0] != '-' || word[1] == '-') return false;
+  const std::string name = word.substr(1, word.find('=') - 1);
+  return std::ranges::any_of(specs, [&](const FlagSpec& spec) { return spec.name == name; });
+}
+
 // The words as CLI11 takes them. It would take the word after `--out=` for the value, and the = of `-o=json` too.
 absl::StatusOr<std::vector<std::string>> Prepared(const std::vector<FlagSpec>& specs, std::vector<std::string> words) {
   for (std::string& word : words) {
     if (word == "--") break;
+    if (HasOneDash(specs, word)) {
+      const std::string shown = word.substr(0, word.find('='));
+      return absl::InvalidArgumentError(absl::StrCat("unknown flag ", shown, "; did you mean -", shown, "?"));
+    }
     const size_t equals = word.find('=');
     const FlagSpec* const spec = equals == std::string::npos ? nullptr : SpecOf(specs, word.substr(0, equals));
     if (spec == nullptr) continue;

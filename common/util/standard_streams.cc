@@ -5,6 +5,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 
@@ -39,6 +40,12 @@ absl::Status FlushOutput() {
 size_t ColumnsOfTerminal(int fd) {
   winsize size{};
   return ioctl(fd, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+size_t ColumnsOfHelp(int fd) {
+  constexpr size_t kMost = 120, kWithoutTerminal = 100;
+  const size_t columns = ColumnsOfTerminal(fd);
+  return columns == 0 ? kWithoutTerminal : std::min(columns, kMost);
 }
 
 }  // namespace tilemend

@@ -19,6 +19,10 @@ absl::Status FlushOutput();
 // How many columns the terminal has that a descriptor leads to, as it is now; 0 if it is none, or does not say.
 size_t ColumnsOfTerminal(int fd);
 
+// The most columns of lines of help that are printed there: as many as the terminal has, but no more than 120, as long
+// lines are hard to read; 100 without a terminal.
+size_t ColumnsOfHelp(int fd);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_COMMON_UTIL_STANDARD_STREAMS_H_

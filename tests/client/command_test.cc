@@ -143,6 +143,7 @@ TEST_F(CommandTest, HelpAndVersionAreData) {
   EXPECT_THAT(Run({"help"}).out, HasSubstr("submit"));
   EXPECT_THAT(Run({"help", "run"}).out, HasSubstr("--workers"));
   EXPECT_EQ(Run({"run", "--help"}).code, 0);
+  EXPECT_EQ(Run({"run", "--version"}).out, Run({"--version"}).out);
 }
 
 TEST_F(CommandTest, AJobThatNeverBeganPrintsItsErrorOnce) {

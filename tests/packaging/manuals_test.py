@@ -25,9 +25,9 @@ def check(condition, text):
 
 
 def flags_of_help(text):
-    """{flag: (value, help)} of lines '  -o, --output FORMAT   help'."""
+    """{flag: (value, help)} of lines '  -o, --output FORMAT   help', which may go on below the help."""
     found = {}
-    for line in text.splitlines():
+    for line in re.sub(r'\n {34}(?=\S)', ' ', text).splitlines():
         match = re.match(r'  (?:-\w, |    )--([\w-]+)(?: (\S+))?  +(.*)', line)
         if match:
             found[match.group(1)] = (match.group(2) or '', match.group(3))

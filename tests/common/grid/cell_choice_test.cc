@@ -33,7 +33,9 @@ TEST(ChooseCellsTest, GivesThoseThatTheSceneHas) {
   EXPECT_THAT(*ChooseCells("0,0-9,0", scene), ElementsAre(CellId{0, 0}, CellId{1, 0}));
   EXPECT_THAT(*ChooseCells("0,0 0,0", scene), ElementsAre(CellId{0, 0}));
   EXPECT_THAT(*ChooseCells("", scene), IsEmpty());
-  EXPECT_THAT(std::string(ChooseCells("0,0 7,7", scene).status().message()), HasSubstr("+007_+007"));
+  EXPECT_EQ(ChooseCells("0,0 7,7", scene).status().message(), "cell +007_+007: the scene does not have it");
+  EXPECT_EQ(ChooseCells("7,7-8,8", scene).status().message(),
+            "cells +007_+007 to +008_+008: the scene has none of them");
 }
 
 }  // namespace

@@ -64,6 +64,8 @@ TEST(FlagsTest, SaysWhatIsWrong) {
   EXPECT_EQ(ErrorOf({"--out", ""}), "--out is empty; expected DIR");
   EXPECT_EQ(ErrorOf({"--out="}), "--out is empty; expected DIR");
   EXPECT_EQ(ErrorOf({"--overwrite=yes"}), "--overwrite takes no value");
+  EXPECT_EQ(ErrorOf({"scene", "-out", "x"}), "unknown flag -out; did you mean --out?");
+  EXPECT_EQ(ErrorOf({"-out=x"}), "unknown flag -out; did you mean --out?");
 }
 
 TEST(FlagsTest, TakesSeveralLettersInOneWord) {

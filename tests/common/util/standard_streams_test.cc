@@ -66,5 +66,11 @@ TEST(StandardStreamsDeathTest, NoFileTakesThePlaceOfAClosedStream) {
   EXPECT_EXIT(OpenAFileWithoutOutput(), testing::ExitedWithCode(0), "");
 }
 
+TEST(ColumnsOfHelpTest, AreAHundredWithoutATerminal) {
+  const int null = open("/dev/null", O_WRONLY);
+  EXPECT_EQ(ColumnsOfHelp(null), 100U);
+  close(null);
+}
+
 }  // namespace
 }  // namespace tilemend
