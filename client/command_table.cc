@@ -65,7 +65,7 @@ std::vector<FlagSpec> InspectFlags() {
               {{"propose-area", "FILE", "write the outline of the surface as GeoJSON", ""},
                {"propose-water", "FILE", "write what may be water as polygons for --water: .gpkg or .geojson", ""},
                {"holes", "FILE", "write the holes as polygons for a GIS, with what would become of them: GeoJSON", ""},
-               {"overwrite", "", "replace the FILE of --propose-water and --holes if it exists", ""}});
+               {"overwrite", "", "replace the FILE of --propose-area, --propose-water and --holes if it exists", ""}});
 }
 
 std::vector<FlagSpec> CheckFlags() {

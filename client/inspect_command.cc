@@ -181,18 +181,25 @@ absl::StatusOr<Inspection> InspectSceneOf(const Request& request, Scene scene) {
   return InspectScene(std::move(scene), options, display.Watcher());
 }
 
-absl::Status CheckIsNew(const std::string& path) {
+absl::Status CheckIsNew(const std::string& path, bool overwrite) {
   std::error_code error;
-  if (path.empty() || !std::filesystem::exists(std::filesystem::symlink_status(path, error))) return absl::OkStatus();
-  return absl::AlreadyExistsError(absl::StrCat(path, ": exists already; choose another --propose-area"));
+  if (overwrite || path.empty()) return absl::OkStatus();
+  if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) return absl::OkStatus();
+  return absl::AlreadyExistsError(
+      absl::StrCat(path, ": exists already; choose another --propose-area, or give --overwrite"));
 }
 
-absl::Status WriteProposal(const std::string& path, const SceneWaves& waves) {
+absl::Status WriteProposal(const Request& request, const SceneWaves& waves) {
+  const std::string& path = request.propose_area;
   if (path.empty()) return absl::OkStatus();
   const PlanePolygon area = ProposeArea(waves.scene().grid, waves.survey().records());
   if (area.empty()) return absl::FailedPreconditionError(absl::StrCat(path, ": too little surface to propose an area"));
-  TILEMEND_RETURN_IF_ERROR(CheckIsNew(path));
-  return WriteFileAtomically(path, AreaGeoJson(area, waves.scene()));
+  TILEMEND_RETURN_IF_ERROR(CheckIsNew(path, request.overwrite));
+  TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(path, AreaGeoJson(area, waves.scene())));
+  const std::string shown = Printable(path);
+  std::fprintf(stderr, "%s: the outline of the surface; a guess: look at it, then: --area %s\n", shown.c_str(),
+               shown.c_str());
+  return absl::OkStatus();
 }
 
 absl::Status ProposeWater(const Request& request, const SceneWaves& waves) {
@@ -251,7 +258,17 @@ absl::Status CheckInputsStay(const Request& request, const Scene& scene) {
   return absl::OkStatus();
 }
 
+// A new folder would hide a slip in its name.
+absl::Status CheckFolderIsThere(const char* flag, const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  if (path.empty() || folder.empty() || IsObjectPath(path) || KindOf(folder) != PathKind::kNothing) return absl::OkStatus();
+  return absl::NotFoundError(absl::StrCat(folder, ": no such folder; make it first, or choose another ", flag));
+}
+
 absl::Status CheckOutputs(const Request& request) {
+  TILEMEND_RETURN_IF_ERROR(CheckFolderIsThere("--holes", request.holes));
+  TILEMEND_RETURN_IF_ERROR(CheckFolderIsThere("--propose-area", request.propose_area));
+  TILEMEND_RETURN_IF_ERROR(CheckFolderIsThere("--propose-water", request.propose_water));
   std::set<std::filesystem::path> files;
   for (const std::string& file : OutputsOf(request)) files.insert(Resolved(file));
   if (files.size() < OutputsOf(request).size()) {
@@ -263,7 +280,7 @@ absl::Status CheckOutputs(const Request& request) {
         absl::StrCat(request.holes, ": holes are written as GeoJSON; choose a name that ends in .geojson"));
   }
   if (!request.holes.empty()) TILEMEND_RETURN_IF_ERROR(CheckOutputFile(request.holes, request.overwrite));
-  TILEMEND_RETURN_IF_ERROR(CheckIsNew(request.propose_area));
+  TILEMEND_RETURN_IF_ERROR(CheckIsNew(request.propose_area, request.overwrite));
   return request.propose_water.empty() ? absl::OkStatus()
                                        : CheckWaterProposal(request.propose_water, request.overwrite);
 }
@@ -280,7 +297,7 @@ int InspectSceneAt(const Request& request) {
   ExitCode code = kExitDone;
   for (const absl::Status& error : inspection->errors) code = PrintError(error);
   if (!inspection->errors.empty()) return code;
-  if (const absl::Status status = WriteProposal(request.propose_area, waves); !status.ok()) return PrintError(status);
+  if (const absl::Status status = WriteProposal(request, waves); !status.ok()) return PrintError(status);
   if (const absl::Status status = ProposeWater(request, waves); !status.ok()) return PrintError(status);
   if (const absl::Status status = WriteHoles(request.holes, waves); !status.ok()) return PrintError(status);
   PrintWarnings(PlanWarnings(waves.plan()));

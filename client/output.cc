@@ -178,10 +178,9 @@ std::string JobText(const v1::Job& job, OutputFormat format) {
   if (format == OutputFormat::kJson) return Dump(JobJson(job));
   const v1::Progress& p = job.progress();
   const bool is_dry = job.spec().dry_run();  // nothing is filled
-  std::vector<std::vector<std::string>> rows = {{"state", StateText(job)},
-                                                {"scene", job.spec().scene()},
-                                                {"out", job.spec().out()},
-                                                {"surface", SurfaceText(job.spec())}};
+  std::vector<std::vector<std::string>> rows = {{"state", StateText(job)}, {"scene", job.spec().scene()}};
+  if (!job.spec().out().empty()) rows.push_back({"out", job.spec().out()});
+  rows.push_back({"surface", SurfaceText(job.spec())});
   if (!p.phase().empty()) rows.push_back({"phase", p.phase()});
   for (const auto& [name, part, whole] : {std::tuple("cells", p.cells_done(), p.cells()),
                                           {"holes", p.holes_filled(), p.holes()},

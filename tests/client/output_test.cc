@@ -80,6 +80,7 @@ TEST(JobTextTest, ADryRunFillsNothingSoNothingIsLeftToDo) {
   job.mutable_progress()->set_holes(32);
   const std::string text = JobText(job, OutputFormat::kTable);
   EXPECT_THAT(text, HasSubstr("cells    4\nholes    32\n"));
+  EXPECT_THAT(text, testing::Not(HasSubstr("\nout")));
   job.mutable_spec()->set_dry_run(false);
   EXPECT_THAT(JobText(job, OutputFormat::kTable), HasSubstr("holes    0/32\n"));
 }

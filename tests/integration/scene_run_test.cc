@@ -153,6 +153,27 @@ TEST_F(SceneRunTest, InspectReplacesNoFileThatItReads) {
   EXPECT_EQ(*ReadFile(water), drawn);
 }
 
+TEST_F(SceneRunTest, InspectSaysThatItWroteAnAreaAndReplacesItIfAsked) {
+  const std::string scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene"), area = folder_ / "area.geojson";
+  const Ended first = Tilemend({"inspect", scene, "--propose-area", area});
+  EXPECT_EQ(first.code, 0) << first.err;
+  EXPECT_THAT(first.err, HasSubstr("--area " + area));
+  const Ended again = Tilemend({"inspect", scene, "--propose-area", area});
+  EXPECT_EQ(again.code, 4);
+  EXPECT_THAT(again.err, HasSubstr("or give --overwrite"));
+  EXPECT_EQ(Tilemend({"inspect", scene, "--propose-area", area, "--overwrite"}).code, 0);
+}
+
+TEST_F(SceneRunTest, InspectMakesNoFolder) {
+  const std::string scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene");
+  for (const char* flag : {"--holes", "--propose-area", "--propose-water"}) {
+    const Ended ended = Tilemend({"inspect", scene, flag, folder_ / "nope/file.geojson"});
+    EXPECT_EQ(ended.code, 3) << flag << ended.err;
+    EXPECT_THAT(ended.err, HasSubstr(folder_ / "nope: no such folder"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "nope"));
+  }
+}
+
 TEST_F(SceneRunTest, InspectTellsOutputsByTheirPlaces) {
   const std::string scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene"), holes = folder_ / "q.geojson";
   const Ended ended = Tilemend({"inspect", scene, "--holes", holes, "--propose-area", folder_ / "scene/../q.geojson"});
