@@ -5,7 +5,8 @@
     render.py MESH FILLED picture.png [--width PIXELS]
 
 SCENE is a folder with scene.json, or any folder of tiles; OUT is the output folder of `tilemend run` (the same relative paths, and
-tiles of its own for cells that had none). MESH and FILLED are single files, before and after `tilemend fill`. Original surface
+tiles of its own for cells that had none). Tiles are .ply or .obj; of others, such as OSGB or 3D Tiles, nothing is drawn. MESH and
+FILLED are single files (.ply, .obj or .off), before and after `tilemend fill`. Original surface
 is a grey hillshade, holes are dark red, filled triangles (the mark tilemend_filled of the output's files; in OFF, that has no
 marks, the faces after those of MESH) are blue; cells that scene.json does not list are white. --grid draws the borders of the
 cells. Needs numpy only (Debian: python3-numpy). Exit codes: 2 usage, 3 a path is not there, 4 no triangles or no mesh.
@@ -146,6 +147,7 @@ def read_off(path):
     return points, np.array(faces, int).reshape(-1, 3), np.zeros(len(faces), bool)
 
 
+NOT_DRAWN = ('.osgb', '.b3dm', '.glb', '.gltf', '.stl', '.las', '.laz')
 READERS = {'.ply': read_ply, '.obj': read_obj, '.off': read_off}
 
 
@@ -162,6 +164,16 @@ def read_folder(folder):
         corners.append(points[faces])
         marks.append(filled)
     return np.concatenate(corners), np.concatenate(marks)
+
+
+def what_is_missing(path):
+    """Why nothing of a path can be drawn, and what to do."""
+    others = sorted({ending for _, _, names in os.walk(path) for name in names
+                     if (ending := os.path.splitext(name)[1].lower()) in NOT_DRAWN})
+    if not others:
+        return 'no triangles in .ply or .obj files'
+    return (f'has {" and ".join(others)} files, and only .ply and .obj are drawn; let `tilemend run` write the output with '
+            '--output-format ply, and draw that twice: render.py OUT OUT picture.png')
 
 
 def outline(scene, corners):
@@ -326,7 +338,7 @@ def main():
         fail(INVALID, str(error))
     for path, soup in ((a.scene, before), (a.out, after)):
         if not len(soup[0]):
-            fail(INVALID, f'{path}: no triangles')
+            fail(INVALID, f'{path}: {what_is_missing(path)}')
     if a.out.lower().endswith('.off'):
         after[1][len(before[0]):] = True
     box, cells = outline(a.scene, before[0])

@@ -2,7 +2,9 @@
 """The pixels of scripts/render.py beside those of a search over all triangles: render_test.py ROOT"""
 import importlib.util
 import os
+import subprocess
 import sys
+import tempfile
 
 import numpy as np
 
@@ -46,6 +48,11 @@ def main():
             raise SystemExit(f'FAILED: {count} triangles: {np.count_nonzero(found != expected)} pixels differ')
     if (module.rasterise(np.zeros((0, 3, 3)), box, shape) != -1).any():
         raise SystemExit('FAILED: nothing is drawn as something')
+    with tempfile.TemporaryDirectory() as folder:
+        open(os.path.join(folder, 'Tile.osgb'), 'w').close()
+        told = subprocess.run([sys.executable, PATH, folder, folder, os.path.join(folder, 'a.png')], stderr=subprocess.PIPE, text=True)
+        if told.returncode != 4 or '.osgb files, and only .ply and .obj are drawn' not in told.stderr:
+            raise SystemExit(f'FAILED: a scene of other tiles: {told.returncode} {told.stderr}')
     print('the same pixels')
 
 
