@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "client/hole_columns.h"
 #include "client/output.h"
 #include "client/repeated_reasons.h"
 #include "coordinator/report/json_access.h"
@@ -149,19 +150,19 @@ std::string PlannedHolesText(const Json& plan) {
   const std::vector<const Json*> holes =
       HolesByArea(plan, [](const Json& hole) { return Member(hole, "reason").is_null(); });
   if (holes.empty()) return "";
+  const HoleColumns columns(plan);
   Rows rows;
   for (size_t i = 0; i < std::min(holes.size(), kMostListedRows); ++i) {
     const Json& hole = *holes[i];
     rows.push_back({Text(Member(hole, "id")), KindOf(hole), Text(Member(hole, "cell")),
-                    CentreText(Member(hole, "centre")), AreaText(Member(hole, "area_m2")),
-                    Decimals(Member(hole, "perimeter_m"), 1), WaterOf(hole),
+                    CentreText(Member(hole, "centre")), columns.Area(hole), columns.Rim(hole), WaterOf(hole),
                     Text(Member(Member(hole, "water"), "reason"))});
   }
   ShortenRepeated(rows);
-  return absl::StrCat("\n", Counted(holes.size(), "hole"),
-                      " to fill, the largest first; filling may find some that stay open\n",
-                      Table({"hole", "kind", "cell", "centre, m", "area, m2", "rim, m", "taken for", "because"}, rows),
-                      MoreText(holes.size(), "-o json lists all"));
+  return absl::StrCat(
+      "\n", Counted(holes.size(), "hole"), " to fill, the largest first; filling may find some that stay open\n",
+      columns.TableOf({"hole", "kind", "cell", "centre, m", "area, m2", "rim, m", "taken for", "because"}, rows),
+      MoreText(holes.size(), "-o json lists all"));
 }
 
 }  // namespace tilemend

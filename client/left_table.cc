@@ -6,6 +6,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "client/hole_columns.h"
 #include "client/output.h"
 #include "client/repeated_reasons.h"
 #include "coordinator/report/json_access.h"
@@ -23,7 +24,8 @@ std::map<std::string, const Json*> HolesById(const Json& report) {
   return holes;
 }
 
-std::vector<std::string> Row(const Json& item, const std::map<std::string, const Json*>& holes) {
+std::vector<std::string> Row(const Json& item, const std::map<std::string, const Json*>& holes,
+                             const HoleColumns& columns) {
   const std::string id = Text(Member(item, "hole"));
   const auto it = holes.find(id);
   const Json nothing;
@@ -31,7 +33,7 @@ std::vector<std::string> Row(const Json& item, const std::map<std::string, const
   return {id,
           Text(Member(item, "cell")),
           CentreText(Member(hole, "centre")),
-          AreaText(Member(hole, "area_m2")),
+          columns.Area(hole),
           Text(Member(item, "open_edges")),
           Text(Member(item, "reason"))};
 }
@@ -62,11 +64,12 @@ std::string LeftText(const Json& report, const std::string& title) {
   std::string text;
   if (!items.empty()) {
     const auto holes = HolesById(report);
+    const HoleColumns columns(report);
     std::vector<std::vector<std::string>> rows;
-    for (size_t i = 0; i < std::min(items.size(), kMostListedRows); ++i) rows.push_back(Row(items[i], holes));
+    for (size_t i = 0; i < std::min(items.size(), kMostListedRows); ++i) rows.push_back(Row(items[i], holes, columns));
     ShortenRepeated(rows);
     absl::StrAppend(&text, "\n", items.size(), " ", title, "\n",
-                    Table({"hole", "cell", "centre, m", "area, m2", "edges", "reason"}, rows),
+                    columns.TableOf({"hole", "cell", "centre, m", "area, m2", "edges", "reason"}, rows),
                     MoreText(items.size(), "see `left` in the report"));
   }
   return text + NotHolesText(report);

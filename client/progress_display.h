@@ -47,7 +47,7 @@ class ProgressDisplay {
   bool has_bar_ = false;
   int warnings_ = 0;             // shown so far
   double share_ = 0;             // of the bar, which never runs back
-  std::string phase_, waiting_;  // as said last
+  std::string stage_, waiting_;  // as said last
 };
 
 // The same for work without a job: a bar on a terminal, else nothing.

@@ -13,6 +13,7 @@
 #include "client/left_table.h"
 #include "client/output.h"
 #include "client/progress_display.h"
+#include "client/stage_name.h"
 #include "client/water_table.h"
 #include "common/util/standard_streams.h"
 #include "common/util/text.h"
@@ -25,13 +26,6 @@ namespace tilemend {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// By the beginning of a phase (PhaseOf in coordinator/waves/wave_order.h).
-constexpr std::pair<std::string_view, const char*> kStages[] = {
-    {"measure", "measure levels"}, {"survey", "look at the tiles"}, {"ground", "tell ground from objects"},
-    {"plan", "find the holes"},    {"sample", "fit the surface"},   {"smooth", "smooth the seams"},
-    {"fill", "fill the holes"},    {"assemble", "write the tiles"}, {"verify", "verify the tiles"},
-};
 
 std::string Counts(const char* name, int64_t done, int64_t all) {
   return all == 0 ? "" : absl::StrCat(", ", done, " of ", all, " ", name);
@@ -68,13 +62,6 @@ std::string WarningLines(const Json& report) {
 }
 
 }  // namespace
-
-std::string StageName(std::string_view phase) {
-  for (const auto& [beginning, name] : kStages) {
-    if (phase.starts_with(beginning)) return name;
-  }
-  return Printable(std::string(phase));
-}
 
 std::string StageText(const v1::Job& job) {
   const v1::Progress& p = job.progress();

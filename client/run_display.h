@@ -4,15 +4,11 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 
 #include "absl/time/time.h"
 #include "tilemend/v1/jobs.pb.h"
 
 namespace tilemend {
-
-// What a phase of a job does, in the words of its user: "look at the tiles" for "survey".
-std::string StageName(std::string_view phase);
 
 // "fill the holes, 12 of 85 holes": the stage of the job and how far it is.
 std::string StageText(const v1::Job& job);

@@ -175,7 +175,7 @@ TEST_F(CommandTest, FillAndRunTellTheSameOfTheirFlags) {
 TEST_F(CommandTest, CtrlCCancelsARunAndLeavesNothing) {
   Process process(folder_.path().string(), TOY_CLIENT,
                   {"run", "toy://20x20?sleep_ms=10000", "--out", folder_ / "out", "--work", folder_ / "work"});
-  process.AwaitLine("survey");
+  process.AwaitLine("look at the tiles");
   process.Signal(SIGINT);
   const Ended ended = process.Wait();
   EXPECT_EQ(ended.code, 7) << ended.err;
@@ -336,7 +336,7 @@ TEST_F(ClusterCommandTest, JobsArePausedResumedAndPrioritized) {
 TEST_F(ClusterCommandTest, CancelledWatchEndsWithSeven) {
   const auto job = nlohmann::json::parse(RunWith({"submit", "toy://2x2", "--out", folder_ / "out", "-o", "json"}).out);
   Process watch(folder_.path().string(), TOY_CLIENT, {"watch", job["name"], "--coordinator", address_});
-  watch.AwaitLine("survey");
+  watch.AwaitLine("look at the tiles");
   EXPECT_EQ(RunWith({"cancel", job["name"]}).code, 0);
   EXPECT_EQ(watch.Wait().code, 7);
 }
@@ -344,7 +344,7 @@ TEST_F(ClusterCommandTest, CancelledWatchEndsWithSeven) {
 TEST_F(ClusterCommandTest, CtrlCEndsTheWatchingNotTheJob) {
   const auto job = nlohmann::json::parse(RunWith({"submit", "toy://2x2", "--out", folder_ / "out", "-o", "json"}).out);
   Process watch(folder_.path().string(), TOY_CLIENT, {"watch", job["name"], "--coordinator", address_});
-  watch.AwaitLine("survey");
+  watch.AwaitLine("look at the tiles");
   watch.Signal(SIGINT);
   const Ended ended = watch.Wait();
   EXPECT_EQ(ended.code, 7);

@@ -93,7 +93,7 @@ TEST(JobTextTest, LeavesOutWhatIsNotKnownYet) {
   job.mutable_progress()->set_phase("survey");
   job.mutable_progress()->set_tasks(4);
   const std::string later = JobText(job, OutputFormat::kTable);
-  EXPECT_THAT(later, HasSubstr("phase    survey\n"));
+  EXPECT_THAT(later, HasSubstr("phase    look at the tiles\n"));
   EXPECT_THAT(later, HasSubstr("tasks    0/4\n"));
 }
 

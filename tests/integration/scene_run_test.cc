@@ -281,7 +281,7 @@ TEST_F(SceneRunTest, AnInterruptedOutputIsCompletedByTheSameCommandOnly) {
   folder_.Write("out/report.json", "of an older output");
   folder_.Write("out/tiles/Tile_+000_+000.ply.part-0123abcd-1", "of a worker that was killed");
   Process process(folder_.path(), TILEMEND_CLIENT, {"run", scene, "--out", out, "--overwrite"});
-  process.AwaitLine("assemble");
+  process.AwaitLine("write the tiles");
   process.Signal(SIGKILL);
   process.Wait();
   EXPECT_FALSE(std::filesystem::exists(out + "/report.json"));
@@ -303,7 +303,7 @@ TEST_F(SceneRunTest, ASignalEndsARunCleanly) {
   options.cols = options.rows = 8;
   const std::string scene = WriteMade(options, folder_ / "scene"), out = folder_ / "out";
   ASSERT_EQ(Run(scene, folder_ / "whole").code, 0);
-  for (const auto& [number, phase] : {std::pair(SIGINT, "survey"), {SIGTERM, "assemble"}}) {
+  for (const auto& [number, phase] : {std::pair(SIGINT, "look at the tiles"), {SIGTERM, "write the tiles"}}) {
     Process process(folder_.path(), TILEMEND_CLIENT, {"run", scene, "--out", out, "--work", folder_ / "work"});
     process.AwaitLine(phase);
     process.Signal(number);

@@ -1,0 +1,52 @@
+#include "client/hole_columns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "client/output.h"
+#include "coordinator/report/json_access.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+int DecimalsFor(double largest) {
+  constexpr double kLeast = 1, kMost = 15;
+  return largest > 0 ? static_cast<int>(std::clamp(3 - std::floor(std::log10(largest)), kLeast, kMost)) : 1;
+}
+
+}  // namespace
+
+HoleColumns::HoleColumns(const Json& report) {
+  double area = 0, rim = 0;
+  for (const Json& hole : Member(report, "per_hole")) {
+    is_mesh_ = is_mesh_ || Member(hole, "centre").size() == 3;  // a place of a scene has two coordinates
+    area = std::max(area, std::abs(Number(Member(hole, "area_m2"))));
+    rim = std::max(rim, Number(Member(hole, "perimeter_m")));
+  }
+  area_decimals_ = DecimalsFor(area);
+  rim_decimals_ = DecimalsFor(rim);
+}
+
+std::string HoleColumns::Area(const Json& hole) const {
+  const Json& area = Member(hole, "area_m2");
+  return is_mesh_ && area.is_number() ? Decimals(Json(std::abs(Number(area))), area_decimals_) : AreaText(area);
+}
+
+std::string HoleColumns::Rim(const Json& hole) const {
+  return Decimals(Member(hole, "perimeter_m"), is_mesh_ ? rim_decimals_ : 1);
+}
+
+std::string HoleColumns::TableOf(std::vector<std::string> headings, std::vector<std::vector<std::string>> rows) const {
+  const auto cell = std::ranges::find(headings, "cell");
+  if (is_mesh_ && cell != headings.end()) {
+    const std::ptrdiff_t at = cell - headings.begin();
+    headings.erase(cell);
+    for (std::vector<std::string>& row : rows) row.erase(row.begin() + at);
+  }
+  return Table(headings, rows);
+}
+
+}  // namespace tilemend
