@@ -24,10 +24,22 @@ std::string RisesOf(const Json& body) {
 
 std::string SigmaText(const Json& sigma) { return sigma.is_null() ? "given" : Decimals(sigma, 3); }
 
+// The report says "area" of a water polygon; --area is another one.
+std::string DecidedByText(const Json& body) {
+  const std::string decider = Text(Member(body, "decided_by"));
+  return decider == "area" ? "polygon" : decider;
+}
+
 std::vector<std::string> Row(const Json& body) {
-  return {Text(Member(body, "kind")),         LevelText(Member(body, "level_m")), AreaText(Member(body, "area_m2")),
-          Text(Member(body, "cells")),        SigmaText(Member(body, "sigma_m")), LevelText(Member(body, "rim_m")),
-          Text(Member(body, "rim_vertices")), Text(Member(body, "decided_by")),   RisesOf(body)};
+  return {Text(Member(body, "kind")),
+          LevelText(Member(body, "level_m")),
+          AreaText(Member(body, "area_m2")),
+          Text(Member(body, "cells")),
+          SigmaText(Member(body, "sigma_m")),
+          LevelText(Member(body, "rim_m")),
+          Text(Member(body, "rim_vertices")),
+          DecidedByText(body),
+          RisesOf(body)};
 }
 
 }  // namespace

@@ -40,11 +40,11 @@ TEST(ResultTextTest, SaysWhatWasFilledWhereTheWaterIsAndWhereToLook) {
                  {"id": 1, "cell": [0, 0], "centre": [3, 4], "area_m2": 0.2, "outcome": "left"}],
     "warnings": ["a warning"], "look_at": [{"hole": 0, "cell": [0, 0], "centre": [1, 2], "area_m2": 20.5, "why": "doubt"}],
     "water": [{"kind": "lake", "level_m": 7.125, "area_m2": 20.5, "sigma_m": 0.1, "rim_m": [7, 8], "rim_vertices": 9,
-               "cells": 1, "decided_by": "rim", "removed_rises": []}],
+               "cells": 1, "decided_by": "area", "removed_rises": []}],
     "left": [{"cell": [0, 0], "reason": "no way", "hole": 1, "open_edges": 4}], "not_holes": []})");
   const std::string text = ResultText(report);
   EXPECT_THAT(text, StartsWith("1 of 2 holes filled, 20.5 m2\nwarning: a warning\n"));
-  for (const char* shown : {"7.125", "1 place to look at", "1 left open", "no way"}) {
+  for (const char* shown : {"7.125", "polygon", "1 place to look at", "1 left open", "no way"}) {
     EXPECT_THAT(text, HasSubstr(shown));
   }
   EXPECT_THAT(text, Not(HasSubstr("task")));
