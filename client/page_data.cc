@@ -2,12 +2,14 @@
 
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "absl/strings/escaping.h"
 #include "absl/strings/str_cat.h"
 #include "client/csv.h"
 #include "coordinator/report/changed_options.h"
 #include "coordinator/report/json_access.h"
+#include "coordinator/report/left_open.h"
 #include "coordinator/report/page_holes.h"
 
 namespace tilemend {
@@ -15,35 +17,57 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// [column, row, holes filled, holes left, whether it has a tile] of each cell.
+// Of what is left open those that are no hole of per_hole.
+std::vector<const Json*> LooseRowsOf(const Json& report) {
+  std::vector<const Json*> rows;
+  const Json& left = Member(report, "left");
+  if (!left.is_array()) return rows;
+  for (const Json& row : left) {
+    if (Member(row, "hole").is_null()) rows.push_back(&row);
+  }
+  return rows;
+}
+
+// [column, row, holes filled, holes left, whether it has a tile, how many of those left count] of each cell.
 Json CellsJson(const Json& report, const Scene* scene) {
   struct Counts {
-    int64_t filled = 0, left = 0;
+    int64_t filled = 0, left = 0, counting = 0;
     bool has_tile = true;
   };
   std::map<std::pair<int32_t, int32_t>, Counts> cells;  // by row, column
   if (scene != nullptr) {
     for (const SceneTile& tile : scene->tiles) cells[{tile.cell.row, tile.cell.col}].has_tile = !tile.path.empty();
   }
-  const auto count = [&](const Json& row, int64_t filled, int64_t left) {
+  const auto count = [&](const Json& row, int64_t filled, int64_t left, bool counts_as_left) {
     const Json& cell = Member(row, "cell");
     if (!cell.is_array() || cell.size() != 2 || !cell[0].is_number_integer() || !cell[1].is_number_integer()) return;
     Counts& counts = cells[{cell[1].get<int32_t>(), cell[0].get<int32_t>()}];
     counts.filled += filled;
     counts.left += left;
+    counts.counting += counts_as_left ? 1 : 0;
   };
-  for (const Json& hole : HoleRowsOf(report)) count(hole, IsLeftOpen(hole) ? 0 : 1, IsLeftOpen(hole) ? 1 : 0);
-  const Json& left = Member(report, "left");
-  if (left.is_array()) {
-    for (const Json& row : left) {
-      if (Member(row, "hole").is_null()) count(row, 0, 1);
-    }
+  for (const Json& hole : HoleRowsOf(report)) {
+    count(hole, IsLeftOpen(hole) ? 0 : 1, IsLeftOpen(hole) ? 1 : 0, CountsAsLeft(hole));
   }
+  for (const Json* row : LooseRowsOf(report)) count(*row, 0, 1, true);
   Json rows = Json::array();
   for (const auto& [at, counts] : cells) {
-    rows.push_back({at.second, at.first, counts.filled, counts.left, counts.has_tile ? 1 : 0});
+    rows.push_back({at.second, at.first, counts.filled, counts.left, counts.has_tile ? 1 : 0, counts.counting});
   }
   return rows;
+}
+
+// Of the holes in the cells that were chosen. `counting`: those left open that make the output partial.
+Json VerdictJson(const Json& report) {
+  const auto loose = static_cast<int64_t>(LooseRowsOf(report).size());
+  int64_t filled = 0, left = loose, counting = loose;
+  for (const Json& hole : HoleRowsOf(report)) {
+    if (Text(Member(hole, "reason")) == kNotChosen) continue;
+    filled += IsLeftOpen(hole) ? 0 : 1;
+    left += IsLeftOpen(hole) ? 1 : 0;
+    counting += CountsAsLeft(hole) ? 1 : 0;
+  }
+  return {{"filled", filled}, {"left", left}, {"counting", counting}, {"uncounted", UncountedText(report)}};
 }
 
 Json PicturesJson(const PagePictures& pictures) {
@@ -66,6 +90,7 @@ Json PageData(const Json& report, const Scene* scene, const PagePictures& pictur
     data[name] = Member(report, name);
   }
   data["cells"] = CellsJson(report, scene);
+  data["verdict"] = VerdictJson(report);
   data["grid"] = scene == nullptr ? Json()
                                   : Json{{"crs", scene->crs},
                                          {"cell_size", {scene->grid.cell_size.x(), scene->grid.cell_size.y()}},

@@ -56,6 +56,17 @@ std::string TextOfUncounted(const LeftCounts& left) {
 
 bool IsLeft(const std::string& failure) { return !failure.empty() && failure != kNotChosen; }
 
+enum class RowKind { kNotLeft, kTiny, kDecided, kCounts };
+
+// Of a row of per_hole in report.json.
+RowKind KindOfRow(const nlohmann::ordered_json& hole) {
+  const std::string reason = Text(Member(hole, "reason"));
+  const nlohmann::ordered_json& area = Member(hole, "area_m2");
+  if (Text(Member(hole, "outcome")) != "left" || reason == kNotChosen) return RowKind::kNotLeft;
+  if (reason == kLeftByDecision) return RowKind::kDecided;
+  return area.is_number() && std::abs(Number(area)) < kTinyHole ? RowKind::kTiny : RowKind::kCounts;
+}
+
 }  // namespace
 
 std::string UncountedText(const SceneReportInput& input) {
@@ -75,15 +86,15 @@ std::string UncountedText(const SceneReportInput& input) {
 std::string UncountedText(const nlohmann::ordered_json& report) {
   LeftCounts counts;
   for (const nlohmann::ordered_json& hole : Member(report, "per_hole")) {
-    const std::string reason = Text(Member(hole, "reason"));
-    const nlohmann::ordered_json& area = Member(hole, "area_m2");
-    if (Text(Member(hole, "outcome")) != "left" || reason == kNotChosen) continue;
-    ++counts.all;
-    counts.decided += reason == kLeftByDecision;
-    counts.tiny += reason != kLeftByDecision && area.is_number() && std::abs(Number(area)) < kTinyHole;
+    const RowKind kind = KindOfRow(hole);
+    counts.all += kind != RowKind::kNotLeft;
+    counts.decided += kind == RowKind::kDecided;
+    counts.tiny += kind == RowKind::kTiny;
   }
   return TextOfUncounted(counts);
 }
+
+bool CountsAsLeft(const nlohmann::ordered_json& hole) { return KindOfRow(hole) == RowKind::kCounts; }
 
 std::vector<LeftOpen> LeftOf(const SceneReportInput& input) {
   std::vector<LeftOpen> left = input.plan->left;

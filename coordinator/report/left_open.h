@@ -37,6 +37,9 @@ std::string UncountedText(const SceneReportInput& input);
 // The same from report.json.
 std::string UncountedText(const nlohmann::ordered_json& report);
 
+// Whether a row of per_hole in report.json is left open and IsPartial counts it.
+bool CountsAsLeft(const nlohmann::ordered_json& hole);
+
 // Why a hole is not filled; "" if it is.
 std::string FailureOf(const SceneReportInput& input, int32_t hole);
 

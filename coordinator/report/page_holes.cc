@@ -6,6 +6,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "coordinator/report/json_access.h"
+#include "coordinator/report/left_open.h"
 
 namespace tilemend {
 namespace {
@@ -26,6 +27,7 @@ Json PageHole(const Json& hole) {
           {"area", area.is_null() ? Json() : Json(std::abs(Number(area)))},
           {"rim", Member(hole, "perimeter_m")},
           {"filled", !IsLeftOpen(hole)},
+          {"counts", CountsAsLeft(hole)},
           {"method", Text(Member(hole, "method"))},
           {"level", Member(hole, "level_m")},
           {"sigma", Member(Member(hole, "water"), "sigma_m")},

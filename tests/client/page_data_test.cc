@@ -33,14 +33,29 @@ TEST(PageDataTest, LeftHolesComeFirstAndCellsAreCounted) {
   EXPECT_EQ(data["per_hole"][0]["id"], 1);
   EXPECT_EQ(data["per_hole"][0]["area"], 70);
   EXPECT_EQ(data["per_hole"][1]["kind"], "I B");
-  EXPECT_EQ(data["cells"], Json::parse("[[0, 0, 1, 0, 1], [1, 0, 0, 1, 1], [2, 0, 0, 1, 1]]"));
+  EXPECT_EQ(data["cells"], Json::parse("[[0, 0, 1, 0, 1, 0], [1, 0, 0, 1, 1, 1], [2, 0, 0, 1, 1, 1]]"));
+}
+
+TEST(PageDataTest, TheVerdictIsThatOfTheExitCode) {
+  Json report = Report();
+  EXPECT_EQ(PageData(report, nullptr, {})["verdict"],
+            Json::parse(R"({"filled": 1, "left": 2, "counting": 2, "uncounted": ""})"));
+  report["left"].erase(1);
+  report["per_hole"][1]["area_m2"] = 0;
+  const Json tiny = PageData(report, nullptr, {});
+  EXPECT_EQ(tiny["verdict"]["left"], 1);
+  EXPECT_EQ(tiny["verdict"]["counting"], 0);
+  EXPECT_THAT(tiny["verdict"]["uncounted"].get<std::string>(), HasSubstr("is smaller than 0.05 m2"));
+  EXPECT_EQ(tiny["cells"][1], Json::parse("[1, 0, 0, 1, 1, 0]"));
+  report["per_hole"][1]["reason"] = "in a cell that was not chosen";
+  EXPECT_EQ(PageData(report, nullptr, {})["verdict"]["left"], 0);
 }
 
 TEST(PageDataTest, CellsOfTheSceneWithoutAHoleAreThere) {
   Scene scene;
   scene.tiles = {{{0, 0}, "a.obj"}, {{7, 2}, ""}};
   const Json cells = PageData(Report(), &scene, {})["cells"];
-  EXPECT_EQ(cells.back(), Json::parse("[7, 2, 0, 0, 0]"));
+  EXPECT_EQ(cells.back(), Json::parse("[7, 2, 0, 0, 0, 0]"));
 }
 
 TEST(PageDataTest, AReportOfAnotherFormGivesAnEmptyPage) {

@@ -25,6 +25,14 @@ TEST(PageHolesTest, ShowsThoseThatWereLeftFirstThenTheLargest) {
   EXPECT_EQ(PageHoles(report, 1).size(), 1);
 }
 
+TEST(PageHolesTest, SaysWhatMakesTheOutputPartial) {
+  const Json report = Json::parse(R"({"per_hole": [
+      {"id": 0, "area_m2": 0, "outcome": "left", "reason": "crossed"},
+      {"id": 1, "area_m2": 9, "outcome": "filled"},
+      {"id": 2, "area_m2": null, "outcome": "left"}]})");
+  for (const Json& hole : PageHoles(report, 10)) EXPECT_EQ(hole["counts"], hole["id"] == 2) << hole;
+}
+
 TEST(PageHolesTest, AnAreaThatIsNotKnownIsNone) {
   const Json report = Json::parse(R"({"per_hole": [{"id": 0, "area_m2": null, "outcome": "left"}]})");
   EXPECT_TRUE(PageHoles(report, 1)[0]["area"].is_null());
