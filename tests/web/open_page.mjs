@@ -28,6 +28,9 @@ async function open(colorScheme) {
 const pixels = (tab) => tab.locator('.view:not(.print)').first().evaluate((canvas) => canvas
   .getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.reduce((sum, value) => sum + value, 0));
 
+// Tables that are wider than the page.
+const cut = (page) => page.locator('.scroll').evaluateAll((list) => list.filter((box) => box.scrollWidth > box.clientWidth).length);
+
 const tab = await open('light');
 expect(await tab.locator('.verdict').count() === 1, 'no verdict');
 expect(await tab.locator('svg.map rect').count() === 2, 'the map has not a square for each cell');
@@ -62,6 +65,7 @@ expect((await tab.locator('main').innerText()).includes('<img src=x onerror=aler
 // The review queue: marked by keys, kept over a reload, written as a file.
 const queued = (page) => page.locator('table.queue tbody tr'), load = (page) => page.locator('.review .download');
 expect(await queued(tab).count() === 2, 'the queue has not both holes');
+expect(await cut(tab) === 0, 'a table is cut');
 expect(await load(tab).isDisabled(), 'nothing is decided, and it can be downloaded');
 await queued(tab).first().focus();
 await tab.keyboard.press('w');
@@ -102,6 +106,13 @@ expect(await tab.locator('.verdict + .warnings li').count() === 2, 'the warnings
 const [file] = await Promise.all([tab.waitForEvent('download'), load(tab).click()]);
 await file.saveAs(join(folder, 'decisions.geojson'));
 await tab.screenshot({ path: join(folder, 'light.png') });
+// On paper of A4, upright.
+await tab.emulateMedia({ media: 'print' });
+await tab.setViewportSize({ width: 718, height: 1000 });
+expect(await cut(tab) === 0, 'a table is cut on paper');
+const reasons = await tab.locator('table.holes td:last-child').evaluateAll((list) => list.map((cell) => cell.getBoundingClientRect().width));
+expect(Math.min(...reasons) > 200, `reasons are ${reasons} px wide on paper`);
+await tab.emulateMedia({ media: null });
 await tab.pdf({ path: join(folder, 'page.pdf'), format: 'A4' });
 expect(readFileSync(join(folder, 'page.pdf')).length > 10000, 'nothing was printed');
 

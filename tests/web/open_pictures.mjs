@@ -63,6 +63,8 @@ for (const entry of jobs) await (entry.startsWith('draco') ? checkCell : check)(
 // From a hole to its row in the review queue.
 await tab.evaluate((hash) => { location.hash = hash; }, firstJob);
 await tab.waitForSelector(`.jobview[data-job="${firstJob}"] table.holes tbody tr`, { timeout: 20000 });
+await tab.waitForSelector('.jobview .offer button', { timeout: 20000 })
+  .catch(() => page.faults.push('what waits for a decision is not told'));
 await tab.locator('table.holes th button', { hasText: /^doubt/ }).click();
 await tab.locator('table.holes tbody tr').first().click();
 await tab.locator('.detail .toreview').click();

@@ -7,9 +7,10 @@ export interface Hole {
   cell: [number, number];
   centre: number[];
   kind: string;
-  area: number | null; // null, and 0 of a hole that was left: not known
+  area: number | null; // null: not known
   rim: number | null;
   filled: boolean;
+  counts: boolean;     // it is left open, and that makes the output partial
   method: string;
   level: Level;
   sigma: number | null;
@@ -81,8 +82,12 @@ export interface Picture {
   bytes: string; // gzip, as base64
 }
 
-// [column, row, holes filled, holes left, 1 if the cell has a tile]
-export type Cell = [number, number, number, number, number];
+// [column, row, holes filled, holes left, 1 if the cell has a tile, those of the left that make the output partial]
+export type Cell = [number, number, number, number, number, number];
+
+// Of the holes in the cells that were chosen: `counting` of those left make the output partial, `uncounted` says why the
+// others do not.
+export interface Verdict { filled: number; left: number; counting: number; uncounted: string }
 
 export interface Report {
   version: string | null;
@@ -97,6 +102,7 @@ export interface Report {
   cleared: { triangles?: number } | null;
   levels: DetailLevel[] | null;
   cells: Cell[];
+  verdict: Verdict;
   grid: { crs: string; cell_size: [number, number]; corner: [number, number] } | null;
   hole_count: number;
   per_hole: Hole[];

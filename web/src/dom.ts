@@ -34,11 +34,11 @@ export function number(value: number | null | undefined, digits = 0): string {
   return format.format(value).replaceAll(',', '\u2009');
 }
 
-// "unknown", "< 0.1", "0.12" or "12.3": small areas do not look like none.
+// "unknown", "0.0", "0.0042" or "12.3": as AreaText in coordinator/report/json_access.h.
 export function areaText(area: number | null | undefined): string {
   if (typeof area !== 'number' || !Number.isFinite(area)) return 'unknown';
-  if (area < 0.1) return '< 0.1';
-  return area < 1 ? String(Number(area.toPrecision(2))) : number(area, 1);
+  if (area === 0 || area >= 1) return number(area, 1);
+  return area < 1e-4 ? String(Number(area.toPrecision(2))) : area.toFixed(1 - Math.floor(Math.log10(area)));
 }
 
 export function counted(count: number, noun: string): string {

@@ -1,6 +1,7 @@
 // What failed in a job, with the lines of the log that tell of it.
 import type { Cells, Failure } from './api';
 import { counted, el } from './dom';
+import { stageText } from './stages';
 
 const MOST_LINES = 8;      // below one failure
 const MOST_FAILURES = 200; // as the coordinator has it
@@ -41,13 +42,13 @@ export class Failures {
       const evidence = evidenceOf(failure, lines);
       return el('tr', {},
         el('td', {}, el('button', { type: 'button', click: () => this.choose(failure.cell) }, failure.cell.join(', '))),
-        el('td', {}, failure.stage.replace('_', ' ')),
+        el('td', {}, stageText(failure.stage)),
         el('td', {}, failure.reason, ...(evidence.length > 0 ? [el('pre', { class: 'log' }, evidence.join('\n'))] : [])));
     };
     const title = failures.length < MOST_FAILURES ? counted(failures.length, 'failed task') : `The first ${MOST_FAILURES} failed tasks`;
     this.list.replaceChildren(el('h2', {}, title),
       el('div', { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'failed tasks' }, el('table', { class: 'failures' },
-        el('thead', {}, el('tr', {}, ...['cell', 'stage', 'why, and what the log says'].map((text) => el('th', { scope: 'col' }, text)))),
+        el('thead', {}, el('tr', {}, ...['cell', 'step', 'why, and what the log says'].map((text) => el('th', { scope: 'col' }, text)))),
         el('tbody', {}, ...failures.map(row)))));
   }
 }

@@ -16,10 +16,8 @@ interface Column {
   key: (hole: Hole) => number | string;
 }
 
-// A hole that was left without an area has one, but nobody knows it.
-export const knownArea = ({ area, filled, planned }: Hole): number | null => (area === 0 && !filled && !planned ? null : area);
-export const areaOf = (hole: Hole): string => { const area = knownArea(hole); return area === null ? 'unknown' : areaText(area); };
-export const squareMetres = (hole: Hole): string => (knownArea(hole) === null ? 'area unknown' : `${areaOf(hole)} m\u00b2`);
+export const areaOf = ({ area }: Hole): string => areaText(area);
+export const squareMetres = (hole: Hole): string => (hole.area === null ? 'area unknown' : `${areaOf(hole)} m\u00b2`);
 
 const outcomeOf = (h: Hole): string => (h.planned ? 'planned' : h.filled ? h.method || 'filled' : 'left open');
 const firstLevel = (level: Level) => (Array.isArray(level) ? level[0] : level) ?? -Infinity;
@@ -30,7 +28,7 @@ const COLUMNS: Column[] = [
   { title: 'x, y [m]', label: 'at', isNumber: false, text: (h) => (h.centre ?? []).slice(0, 2).map((c) => c.toFixed(1)).join(', '),
     key: (h) => h.centre?.[0] ?? 0 },
   { title: 'kind', isNumber: false, text: (h) => h.kind, key: (h) => h.kind },
-  { title: 'area [m\u00b2]', label: 'area', isNumber: true, text: areaOf, key: (h) => knownArea(h) ?? -Infinity },
+  { title: 'area [m\u00b2]', label: 'area', isNumber: true, text: areaOf, key: (h) => h.area ?? -Infinity },
   { title: 'outcome', isNumber: false, text: outcomeOf, key: (h) => (h.filled || h.planned ? outcomeOf(h) : '') },
   { title: 'level [m]', label: 'level', isNumber: true, text: (h) => levelText(h.level), key: (h) => firstLevel(h.level) },
   { title: 'sigma [m]', label: 'sigma', isNumber: true, text: (h) => number(h.sigma, 3), key: (h) => h.sigma ?? -Infinity },
@@ -90,13 +88,15 @@ export function holesTable(rows: HoleRows, choose?: (hole: Hole) => void): Holes
   const head = el('tr'), body = el('tbody');
   const more = el('button', { type: 'button', click: () => { shown += 10 * STEP; update(); } }, 'show more');
 
+  const rest = el('p', { class: 'quiet onlyprint' });
+
   const matching = (): Hole[] => {
     const words = search.value.trim().toLowerCase();
     const holes = report.per_hole.filter((hole) =>
       (cell === null || (hole.cell?.[0] === cell[0] && hole.cell[1] === cell[1])) &&
       (outcome.value === '' || outcome.value === (hole.planned ? 'planned' : hole.filled ? 'filled' : 'left')) &&
       (kind.value === '' || kind.value === hole.kind) &&
-      (area.value === '' || (knownArea(hole) ?? Infinity) >= Number(area.value)) &&
+      (area.value === '' || (hole.area ?? Infinity) >= Number(area.value)) &&
       (sigma.value === '' || (hole.sigma ?? -Infinity) >= Number(sigma.value)) &&
       (words === '' || COLUMNS.some((column) => column.text(hole).toLowerCase().includes(words))));
     if (!sorted) return holes;
@@ -113,16 +113,21 @@ export function holesTable(rows: HoleRows, choose?: (hole: Hole) => void): Holes
     const of = listed < report.hole_count ? ` (${number(listed)} of ${number(report.hole_count)} are listed here)` : '';
     count.textContent = counted(holes.length, 'hole') + of;
     const focused = body.contains(document.activeElement) ? (document.activeElement as HTMLElement).dataset['hole'] : undefined;
-    const seen = new Set<string>();
-    body.replaceChildren(...holes.slice(0, shown).map((hole) =>
-      el('tr', { 'data-hole': String(hole.id), class: hole.filled || hole.planned ? '' : 'open', ...(choose ? { tabindex: '0', click: () => choose(hole),
+    const listedHere = holes.slice(0, shown), seen = new Set<string>();
+    const blank = COLUMNS.map((c) => (listedHere.some((hole) => c.text(hole) !== '') ? '' : 'blank')); // not printed
+    const kind = (c: Column, i: number) => [c.isNumber ? 'number' : '', blank[i]].filter(Boolean).join(' ');
+    body.replaceChildren(...listedHere.map((hole) =>
+      el('tr', { 'data-hole': String(hole.id), class: hole.counts && !hole.planned ? 'open' : '', ...(choose ? { tabindex: '0', click: () => choose(hole),
         keydown: (event: Event) => { if ((event as KeyboardEvent).key === 'Enter') choose(hole); } } : {}) },
-        ...COLUMNS.map((c) => (c.title === 'reason' ? reasonCell(hole.reason, seen)
-          : el('td', { class: c.isNumber ? 'number' : '', ...(c.label ? { 'data-label': c.label } : {}) }, c.text(hole)))))));
+        ...COLUMNS.map((c, i) => (c.title === 'reason' ? reasonCell(hole.reason, seen)
+          : el('td', { class: kind(c, i), ...(c.label ? { 'data-label': c.label } : {}) }, c.text(hole)))))));
     if (focused) body.querySelector<HTMLElement>(`tr[data-hole="${focused}"]`)?.focus({ preventScroll: true });
     more.hidden = holes.length <= shown;
-    head.querySelectorAll('th').forEach((th, i) => th.setAttribute(
-      'aria-sort', sorted?.column !== i ? 'none' : sorted.down ? 'descending' : 'ascending'));
+    head.querySelectorAll('th').forEach((th, i) => {
+      th.className = kind(COLUMNS[i]!, i);
+      th.setAttribute('aria-sort', sorted?.column !== i ? 'none' : sorted.down ? 'descending' : 'ascending');
+    });
+    rest.textContent = more.hidden ? '' : `and ${number(holes.length - shown)} more holes, which are not printed; holes.csv has all`;
   }
 
   COLUMNS.forEach((column, i) => {
@@ -130,7 +135,7 @@ export function holesTable(rows: HoleRows, choose?: (hole: Hole) => void): Holes
       sorted = { column: i, down: sorted?.column === i ? !sorted.down : column.isNumber };
       update();
     };
-    head.append(el('th', { class: column.isNumber ? 'number' : '' }, el('button', { type: 'button', click: sort }, column.title)));
+    head.append(el('th', { 'data-title': column.title }, el('button', { type: 'button', click: sort }, column.title)));
   });
   for (const input of [search, outcome, kind, area, sigma]) {
     input.addEventListener('input', () => { shown = STEP; update(); });
@@ -139,7 +144,7 @@ export function holesTable(rows: HoleRows, choose?: (hole: Hole) => void): Holes
   update();
   const element = el('div', {},
     el('div', { class: 'filters' }, search, ofCell, outcome, kind, area, sigma, count),
-    el('div', { class: 'scroll' }, el('table', { class: 'holes' }, el('thead', {}, head), body)), more);
+    el('div', { class: 'scroll' }, el('table', { class: 'holes' }, el('thead', {}, head), body)), rest, more);
   function setCell(next: readonly number[] | null): void {
     cell = next;
     ofCell.hidden = next === null;

@@ -3,7 +3,7 @@ import type { WebGLRenderer } from 'three';
 import { ApiError, type Cells, get, type Holes, type Job, type JobReview, type LogLines } from './api';
 import { decisionsCommand } from './command';
 import type { Hole } from './data';
-import { el } from './dom';
+import { counted, el, number } from './dom';
 import { Failures } from './failures';
 import { type Grid, legendOf, makeGrid } from './grid';
 import { type HoleRows, holesTable, type HolesTable, squareMetres } from './holes';
@@ -56,11 +56,12 @@ export class JobView {
   private lines: LogLines = { lines: [] };
   private table: HolesTable | null = null;
   private readonly reviewed = new Map<number, number>(); // by hole, the hole of its row in the queue
+  private offered = '';    // of the review
   private shown: [[number, number], Hole | null] | null = null; // what the detail is of
 
   constructor(private readonly name: string) {
     this.element.append(el('h2', {}, `Map of ${name}`), this.warnings, el('div', { class: 'mapanddetail' }, this.mapBox, this.detail),
-      this.failures.element, this.holesBox, this.reviewBox);
+      this.failures.element, this.reviewBox, this.holesBox);
   }
 
   async poll(job: Job): Promise<void> {
@@ -81,6 +82,7 @@ export class JobView {
     if (cells.hasTiles && !hadTiles && this.shown) this.showDetail(...this.shown);
     this.failures.update(cells, lines.lines);
     this.drawHoles(job, this.map);
+    this.offerReview(holes);
   }
 
   // Those of the job, then those of its report. A list that was opened stays open while nothing changes.
@@ -213,8 +215,21 @@ export class JobView {
     this.holesBox.replaceChildren(el('h2', {}, 'Holes'), this.holesNote, this.table.element);
   }
 
+  // A line that opens the queue, which may be large.
+  private offerReview(holes: Holes | null): void {
+    if (this.reviewed.size > 0 || this.reviewBox.querySelector('.review')) return;
+    const known = holes && !holes.planned ? holes.holes : [];
+    const doubtful = known.filter((hole) => hole.doubt && !hole.decision).length, decided = known.filter((hole) => hole.decision).length;
+    const told = [doubtful > 0 ? `${counted(doubtful, 'hole')} to decide on` : '', decided > 0 ? `${number(decided)} decided on` : ''];
+    const text = told.filter(Boolean).join(', ');
+    if (text === this.offered) return;
+    this.offered = text;
+    this.reviewBox.replaceChildren(...(text ? [el('h2', {}, 'Review'), el('p', { class: 'offer' }, `${text} `,
+      el('button', { type: 'button', click: () => void this.showReview(null) }, 'show the review queue'))] : []));
+  }
+
   // The queue of the report, with the row of the hole in focus.
-  private async showReview(hole: Hole): Promise<void> {
+  private async showReview(hole: Hole | null): Promise<void> {
     try {
       if (this.reviewed.size === 0) await this.readReview();
     } catch (error) {
@@ -226,7 +241,7 @@ export class JobView {
       this.reviewBox.replaceChildren(el('p', { class: 'warning' }, `The review queue cannot be shown: ${(error as Error).message}`));
       return;
     }
-    const row = this.reviewBox.querySelector<HTMLElement>(`tr[data-hole="${this.reviewed.get(hole.id) ?? ''}"]`);
+    const row = this.reviewBox.querySelector<HTMLElement>(`tr[data-hole="${this.reviewed.get(hole?.id ?? -1) ?? ''}"]`);
     (row ?? this.reviewBox).scrollIntoView({ block: row ? 'center' : 'start' });
     row?.focus();
   }

@@ -14,14 +14,14 @@ const FILLED = 'Fw';
 export class JobMap implements Squares {
   readonly frame: Frame;
   readonly held: Set<number>;
-  private readonly counts = new Map<number, [number, number]>(); // holes and those that stay open, by cell
+  private readonly counts = new Map<number, [number, number, number]>(); // holes, those that stay open, and those that count as left, by cell
 
   constructor(readonly cells: Cells, private readonly holes: Holes | null) {
     this.frame = { column: cells.column, row: cells.row, columns: cells.columns, rows: cells.rows };
     this.held = new Set(cells.held.map(([column, row]) => indexIn(this.frame, column, row)));
     for (const hole of holes?.holes ?? []) {
-      const k = this.indexOf(hole.cell), [all, open] = this.counts.get(k) ?? [0, 0];
-      this.counts.set(k, [all + 1, open + (hole.filled ? 0 : 1)]);
+      const k = this.indexOf(hole.cell), [all, open, left] = this.counts.get(k) ?? [0, 0, 0];
+      this.counts.set(k, [all + 1, open + (hole.filled ? 0 : 1), left + (hole.counts ? 1 : 0)]);
     }
   }
 
@@ -56,5 +56,5 @@ export class JobMap implements Squares {
     return states;
   }
 
-  private leftIn(k: number): number { return this.counts.get(k)?.[1] ?? 0; }
+  private leftIn(k: number): number { return this.counts.get(k)?.[2] ?? 0; }
 }

@@ -1,6 +1,7 @@
 // The list of jobs: how far each is, how fast it goes, and what may be done with it.
 import { ApiError, type Job, type Me, post } from './api';
 import { el, number } from './dom';
+import { stageText } from './stages';
 
 // In the words of `tilemend list`, except that a partial job says what is left.
 export function stateText(job: Job): string {
@@ -63,7 +64,7 @@ function progressTexts(job: Job): string[] {
   const { progress } = job, done = Number(progress.cellsDone);
   const cells = `${number(done)} of ${number(Number(progress.cells))} cells`;
   if (isOver(job)) return [cells];
-  return [progress.phase, `${number(Number(progress.tasksDone))} of ${number(Number(progress.tasks))} tasks`, done > 0 ? `${cells} written` : ''];
+  return [stageText(progress.phase), `${number(Number(progress.tasksDone))} of ${number(Number(progress.tasks))} tasks`, done > 0 ? `${cells} written` : ''];
 }
 
 const baseName = (path: string): string => path.replace(/\/+$/, '').split('/').pop() || path;

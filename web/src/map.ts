@@ -4,10 +4,10 @@ import { el } from './dom';
 import { frameOf, indexIn, legendOf, makeGrid } from './grid';
 
 const NAMES: [string, string][] = [
-  ['left', 'holes left open'], ['filled', 'all holes filled'], ['whole', 'no hole'], ['empty', 'no tile']];
+  ['left', 'holes left open'], ['uncounted', 'what is left open does not count'], ['filled', 'all holes filled'], ['whole', 'no hole'], ['empty', 'no tile']];
 
-function stateOf([, , filled, left, tile]: Cell): string {
-  if (left > 0) return 'left';
+function stateOf([, , filled, left, tile, counting]: Cell): string {
+  if (left > 0) return counting > 0 ? 'left' : 'uncounted';
   if (filled > 0) return 'filled';
   return tile ? 'whole' : 'empty';
 }

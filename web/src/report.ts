@@ -2,30 +2,22 @@
 import { type DetailLevel, type Hole, type LookAt, type Report, type Water, readReport } from './data';
 import { decisionsCommand } from './command';
 import { areaText, counted, el, holesText, number } from './dom';
-import { areaOf, holesTable, knownArea, levelText } from './holes';
+import { areaOf, holesTable, levelText } from './holes';
 import { cellMap } from './map';
 import { MARK_NAME, pictures } from './pictures';
 import { reviewQueue } from './review';
 import { warningList } from './warnings';
 
-const TINY = 0.05; // m2: kTinyHole in coordinator/report/left_open.h
-
-// Whether a hole that is left makes no output partial: it is tiny, or a reviewer wants it open.
-function isUncounted(hole: Hole): boolean {
-  return !hole.filled && (hole.decision === 'open' || (knownArea(hole) ?? Infinity) < TINY);
-}
-
+// The program's verdict: what does not count makes no output partial.
 function verdict(report: Report): HTMLElement {
-  const left = report.cells.reduce((sum, cell) => sum + cell[3], 0);
-  const filled = report.cells.reduce((sum, cell) => sum + cell[2], 0);
-  const uncounted = report.per_hole.filter(isUncounted).length, isPartial = left > uncounted;
+  const { filled, left, counting } = report.verdict;
   const looks = report.look_at?.length ?? 0;
   const text = left > 0 ? `${counted(filled, 'hole')} filled, ${number(left)} left open`
     : filled > 0 ? `All ${counted(filled, 'hole')} filled` : 'No hole was found';
-  const next = [left > 0 ? 'The holes that were left have their reasons in the table.' : '',
-    left > 0 && !isPartial ? `They do not count: smaller than ${TINY} m\u00b2, or left open by decision.` : '',
+  const uncounted = report.verdict.uncounted.replace(/^; /, '').replaceAll('m2', 'm\u00b2');
+  const next = [left > 0 ? 'The holes that were left have their reasons in the table.' : '', uncounted ? `${uncounted}.` : '',
     looks > 0 ? `${counted(looks, 'place')} to look at.` : ''].filter(Boolean).join(' ');
-  return el('div', { class: isPartial ? 'verdict open' : 'verdict' }, el('strong', {}, text), ...(next ? [el('span', {}, next)] : []));
+  return el('div', { class: counting > 0 ? 'verdict open' : 'verdict' }, el('strong', {}, text), ...(next ? [el('span', {}, next)] : []));
 }
 
 function facts(report: Report): HTMLElement {
@@ -47,10 +39,13 @@ function table(headings: string[], rows: string[][], numbers: number[] = []): HT
     el('tbody', {}, ...rows.map((row) => el('tr', {}, ...row.map((text, i) => el('td', kind(i), text)))))));
 }
 
+// In the words of `tilemend report`: the area is another polygon.
+const DECIDERS: Record<string, string> = { area: 'polygon' };
+
 function waters(rows: Water[]): HTMLElement {
   return table(['water', 'kind', 'level [m]', 'sigma [m]', 'area [m\u00b2]', 'cells', 'decided by'],
     rows.map((w) => [String(w.body), w.kind, levelText(w.level_m), number(w.sigma_m, 3), areaText(w.area_m2),
-      number(w.cells), w.decided_by]), [2, 3, 4, 5]);
+      number(w.cells), DECIDERS[w.decided_by] ?? w.decided_by]), [2, 3, 4, 5]);
 }
 
 function looks(rows: LookAt[], holes: Hole[]): HTMLElement {
@@ -107,5 +102,14 @@ function build(report: Report): HTMLElement[] {
   return parts;
 }
 
-addEventListener('beforeprint', () => { for (const box of document.querySelectorAll<HTMLDetailsElement>('details.warnings')) box.open = true; });
+// What is folded is opened for the paper, and closed again after it.
+let opened: HTMLDetailsElement[] = [];
+addEventListener('beforeprint', () => {
+  opened.push(...document.querySelectorAll<HTMLDetailsElement>('details:is(.warnings, .again):not([open])'));
+  for (const box of opened) box.open = true;
+});
+addEventListener('afterprint', () => {
+  for (const box of opened) box.open = false;
+  opened = [];
+});
 document.getElementById('page')?.replaceChildren(...build(readReport()));

@@ -250,9 +250,9 @@ export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 
   tell();
   const headings = ['', 'hole', 'cell', 'area [m\u00b2]', 'taken for', 'level of the rim \u00b1 sigma [m]', 'doubt [m]', 'doubt [m\u00b3]', 'because', 'decision'];
   const queue = el('div', { class: 'review' },
-    el('p', { class: 'quiet' }, (rows.length === 0 ? 'No fill waits for a decision. ' : 'Fills by their doubt: the error of height that is to be expected, times the area. ' +
-      'In a row: \u2191 \u2193 to move, A accept, W water, G ground, O leave open, X not decided. Levels are heights of the scene\u2019s CRS. ' +
-      '\u201cRedo as water\u201d takes the level that is typed, or that of the shore if none is; that of a level rim is there already. ') +
+    el('p', { class: 'quiet' }, (rows.length === 0 ? 'No fill waits for a decision. ' : 'Fills by their doubt: the error of height that is to be expected, times the area. '),
+      ...(rows.length === 0 ? [] : [el('span', { class: 'keys' }, 'In a row: \u2191 \u2193 to move, A accept, W water, G ground, O leave open, X not decided. '), 'Levels are heights of the scene\u2019s CRS. ' +
+      '\u201cRedo as water\u201d takes the level that is typed, or that of the shore if none is; that of a level rim is there already. ']),
       'The file has the decisions of earlier rounds as well. This makes the fills anew that are to be redone' +
       (command ? ':' : ': tilemend run with --decisions FILE and the same scene, folder and options.')),
     ...(command ? [copyable(command)] : []), ...(command && hint ? [el('p', { class: 'quiet' }, hint)] : []),

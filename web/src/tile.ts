@@ -4,7 +4,6 @@ import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
 import { getTileIfThere } from './api';
 import { type Crop, type Part, type Role, sphereOf } from './crop';
 import type { Hole } from './data';
-import { knownArea } from './holes';
 import { readObj } from './obj';
 import { readOsgb } from './osgb_tile';
 import { EMPTY, type Focus, type Surface, surfaceOf, type Tile } from './surface';
@@ -127,7 +126,8 @@ function sphereOfParts(parts: Part[]): { centre: [number, number, number]; radiu
 }
 
 // The side of a square of its area; of one as long around where that is not known.
-const sizeOf = (hole: Hole): number => { const area = knownArea(hole); return area === null ? (hole.rim ?? 0) / 4 : Math.sqrt(area); };
+// That of a hole without area, such as a crack, is told by its rim.
+const sizeOf = ({ area, rim }: Hole): number => (area ? Math.sqrt(area) : (rim ?? 0) / 4);
 
 // Of a cell, or of one hole in it.
 export async function readCell(job: string, cell: [number, number], hole: Hole | null): Promise<Crop> {

@@ -2,6 +2,7 @@
 import type { WorkerInfo, WorkerTask } from './api';
 import { el, number } from './dom';
 import { durationText } from './jobs';
+import { stageText } from './stages';
 
 // In the words of `tilemend workers`.
 const stateOf = ({ state, tasks }: WorkerInfo): string =>
@@ -20,7 +21,7 @@ function doing(worker: WorkerInfo, now: number, choose: (task: WorkerTask) => vo
   if (worker.doing.length === 0) return el('td', { class: 'doing' }, 'idle');
   const more = worker.tasks - worker.doing.length;
   return el('td', { class: 'doing' }, ...worker.doing.map((task) => el('div', {},
-    `${task.stage.replace('_', ' ')} of `, el('button', { type: 'button', click: () => choose(task) }, `cell ${task.col}, ${task.row}`),
+    `${stageText(task.stage)}: `, el('button', { type: 'button', click: () => choose(task) }, `cell ${task.col}, ${task.row}`),
     ` of ${task.job}, for ${ago(task.since, now)}`)), more > 0 ? `and ${more} more` : '');
 }
 
