@@ -228,11 +228,12 @@ absl::StatusOr<std::unique_ptr<StatusServer>> ServeMetrics(const Flags& flags, c
 
 // Null without --web.
 absl::StatusOr<std::unique_ptr<WebServer>> ServePage(const Flags& flags, const TlsFiles& tls, Coordinator& coordinator,
-                                                     const std::shared_ptr<Gate>& gate, JobLogTail& log) {
+                                                     const std::shared_ptr<Gate>& gate, const std::string& listen,
+                                                     JobLogTail& log) {
   if (!flags.IsGiven("web")) return nullptr;
-  TILEMEND_ASSIGN_OR_RETURN(auto server,
-                            WebServer::Start(flags.Text("web"), coordinator,
-                                             {{tls.certificate, tls.key, tls.authority}, gate, IsClosed(flags), &log}));
+  TILEMEND_ASSIGN_OR_RETURN(
+      auto server, WebServer::Start(flags.Text("web"), coordinator,
+                                    {{tls.certificate, tls.key, tls.authority}, gate, IsClosed(flags), &log, listen}));
   log.Info("page served", {{"address", WithPort(flags.Text("web"), server->port())}});
   return server;
 }
@@ -301,8 +302,10 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   TILEMEND_ASSIGN_OR_RETURN(const auto gate, GateFromFlags(flags, metrics, audit.get(), log));
   TILEMEND_ASSIGN_OR_RETURN(
       const auto server, CoordinatorServer::Start(flags.Text("listen"), *coordinator, {credentials->kept().tls, gate}));
-  TILEMEND_ASSIGN_OR_RETURN(const auto page, ServePage(flags, credentials->kept().tls, *coordinator, gate, log));
-  log.Info("listening", {{"address", WithPort(flags.Text("listen"), server->rpc().port())}});
+  const std::string listen = WithPort(flags.Text("listen"), server->rpc().port());
+  TILEMEND_ASSIGN_OR_RETURN(const auto page,
+                            ServePage(flags, credentials->kept().tls, *coordinator, gate, listen, log));
+  log.Info("listening", {{"address", listen}});
   const ServiceNotifier notifier([&coordinator] { return TextOf(coordinator->calls().cluster.DemandNow()); });
   stop.acquire();
   signals.Stop();  // before `stop` goes

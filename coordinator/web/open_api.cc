@@ -91,7 +91,8 @@ constexpr char kOwnSchemas[] = R"({
     "code": {"type": "string"}, "message": {"type": "string"}, "reason": {"type": "string"},
     "metadata": {"type": "object", "additionalProperties": {"type": "string"}}}}}},
   "Me": {"type": "object", "properties": {
-    "name": {"type": "string"}, "maySteer": {"type": "boolean"}, "isAdmin": {"type": "boolean"}}},
+    "name": {"type": "string"}, "maySteer": {"type": "boolean"}, "isAdmin": {"type": "boolean"},
+    "listen": {"type": "string", "description": "where gRPC is served, as --listen with the port"}}},
   "Cells": {"type": "object", "properties": {
     "state": {"type": "string"},
     "column": {"type": "integer", "description": "of the first cell of a row"},

@@ -258,8 +258,10 @@ absl::StatusOr<HttpAnswer> WebApi::Steer(const Match& match, const HttpRequest& 
 
 absl::StatusOr<HttpAnswer> WebApi::Me(const Peer& peer) const {
   TILEMEND_ASSIGN_OR_RETURN(const Caller caller, calls_.Identify(peer));
-  return JsonAnswer(
-      TextOf({{"name", caller.name}, {"maySteer", caller.May(Role::kSubmit)}, {"isAdmin", caller.May(Role::kAdmin)}}));
+  return JsonAnswer(TextOf({{"name", caller.name},
+                            {"maySteer", caller.May(Role::kSubmit)},
+                            {"isAdmin", caller.May(Role::kAdmin)},
+                            {"listen", listen_}}));
 }
 
 absl::StatusOr<HttpAnswer> WebApi::Cells(const std::string& name, const Peer& peer) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <semaphore>
 #include <string>
+#include <utility>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -30,8 +31,9 @@ inline constexpr int64_t kMostTileBytesAtOnce = kMostTileReads * kMostTileBytes;
 // rights there and here (GuardedCalls).
 class WebApi {
  public:
-  // Both must outlive this. `log`: where the lines on jobs are; null: nowhere.
-  explicit WebApi(const GuardedCalls& calls, const JobLogTail* log = nullptr) : calls_(calls), log_(log) {}
+  // Both must outlive this. `log`: where the lines on jobs are; null: nowhere. `listen`: where gRPC is served.
+  explicit WebApi(const GuardedCalls& calls, const JobLogTail* log = nullptr, std::string listen = "")
+      : calls_(calls), log_(log), listen_(std::move(listen)) {}
 
   // The answer to a request below /v1/. Errors are {"error": {"code", "message", "reason", "metadata"}}. An answer to
   // GET has an ETag; 304 if that is the one in If-None-Match.
@@ -50,6 +52,7 @@ class WebApi {
 
   const GuardedCalls& calls_;
   const JobLogTail* const log_;
+  const std::string listen_;
   JobFiles files_;
   ByteBudget tile_bytes_{kMostTileBytesAtOnce};
   std::counting_semaphore<kMostReportLooks> report_looks_{kMostReportLooks};

@@ -83,8 +83,8 @@ HttpAnswer AssetAnswer(const HttpRequest& request, const char* type, std::string
 }  // namespace
 
 struct WebServer::Impl {
-  Impl(Coordinator& coordinator, std::shared_ptr<Gate> gate, const JobLogTail* log)
-      : entrance(std::move(gate)), calls(coordinator.calls(), entrance), api(calls, log) {}
+  Impl(Coordinator& coordinator, std::shared_ptr<Gate> gate, const JobLogTail* log, std::string listen)
+      : entrance(std::move(gate)), calls(coordinator.calls(), entrance), api(calls, log, std::move(listen)) {}
 
   HttpAnswer Answer(const HttpRequest& request);
 
@@ -121,7 +121,7 @@ absl::StatusOr<std::unique_ptr<WebServer>> WebServer::Start(const std::string& a
                                                             WebOptions options) {
   if (options.gate == nullptr)
     options.gate = std::make_shared<Gate>(Access::Open(), *MetricsRegistry::Null(), *Log::Null());
-  auto impl = std::make_unique<Impl>(coordinator, std::move(options.gate), options.log);
+  auto impl = std::make_unique<Impl>(coordinator, std::move(options.gate), options.log, std::move(options.listen));
   impl->is_open = !options.callers_have_names;
   HttpLimits limits;
   limits.time = absl::Seconds(60);

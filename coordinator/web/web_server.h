@@ -20,6 +20,7 @@ struct WebOptions {
   // name was made to lead here, sends that name.
   bool callers_have_names = false;
   const JobLogTail* log = nullptr;  // lines on jobs; null: none are shown. Must outlive the server
+  std::string listen = {};          // where gRPC is served, "0.0.0.0:7443"; "" if the page is not to tell
 };
 
 // Bounded as HttpServer; an answer that is taken may last 60 s. Ends before `coordinator` does.

@@ -69,6 +69,8 @@ await tab.locator('table.holes th button', { hasText: /^doubt/ }).click();
 await tab.locator('table.holes tbody tr').first().click();
 await tab.locator('.detail .toreview').click();
 await tab.waitForSelector('table.queue tbody tr:focus', { timeout: 20000 });
+const command = await tab.locator('.review .command code').innerText();
+page.expect(/ --coordinator 127\.0\.0\.1:[0-9]+$/.test(command), `the command does not name the coordinator: ${command}`);
 await tab.keyboard.press('o');
 page.expect((await tab.locator('.review [role=status]').innerText()).startsWith('1 of'), 'the queue does not take a decision');
 await page.checkAccess(tab, firstName);

@@ -36,7 +36,7 @@ export interface JobReview {
 
 export interface LogLines { lines: string[] }
 
-export interface Me { name: string; maySteer: boolean; isAdmin: boolean }
+export interface Me { name: string; maySteer: boolean; isAdmin: boolean; listen?: string }
 
 // `status` 0: the coordinator did not answer. `wait`: milliseconds until it wants to be asked again, if it says so.
 export class ApiError extends Error {

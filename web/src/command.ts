@@ -13,13 +13,21 @@ function wordsOf(name: string, value: unknown): string[] {
   return text.startsWith('-') ? [`--${name}=${text}`] : [`--${name}`, text];
 }
 
+// Where a coordinator that listens there can be reached from where its page is seen: on all addresses it listens on that of
+// the page as well. "" if it does not say.
+export function coordinatorAt(listen: string, page: string): string {
+  const [, host, port] = /^(.*):(\d+)$/.exec(listen) ?? [];
+  if (!port) return '';
+  return `${!host || host === '0.0.0.0' || host === '[::]' ? page : host}:${port}`;
+}
+
 // The run, or the job, of the report with the decisions of the review; null if the report does not tell its scene and
 // folder.
 export function decisionsCommand({ scene, out, changed_options: changed }: Pick<Report, 'scene' | 'out' | 'changed_options'>,
-  verb: 'run' | 'submit' = 'run'): string | null {
+  verb: 'run' | 'submit' = 'run', coordinator = ''): string | null {
   if (!scene || !out) return null;
   const options = Object.entries(changed ?? {}).filter(([name]) => name !== 'decisions').flatMap(([name, value]) => wordsOf(name, value));
-  const more = verb === 'submit' ? ['--coordinator', 'HOST:PORT'] : [];
+  const more = verb === 'submit' ? ['--coordinator', coordinator || 'HOST:PORT'] : [];
   return ['tilemend', verb, scene, '--out', out, ...options, '--decisions', verb === 'submit' ? 'FILE' : 'decisions.geojson', ...more].map(shellQuoted).join(' ');
 }
 

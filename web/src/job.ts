@@ -1,7 +1,7 @@
 // One job: its map as it goes, its holes, its failures, its review queue, and its cells before and after.
 import type { WebGLRenderer } from 'three';
-import { ApiError, type Cells, get, type Holes, type Job, type JobReview, type LogLines } from './api';
-import { decisionsCommand } from './command';
+import { ApiError, type Cells, get, type Holes, type Job, type JobReview, type LogLines, type Me } from './api';
+import { coordinatorAt, decisionsCommand } from './command';
 import type { Hole } from './data';
 import { counted, el, number } from './dom';
 import { Failures } from './failures';
@@ -248,7 +248,8 @@ export class JobView {
 
   private async readReview(): Promise<void> {
     const { review, ...report } = await get<JobReview>(`/v1/${this.name}/review`);
-    this.reviewBox.replaceChildren(el('h2', {}, 'Review'), reviewQueue(report, review, decisionsCommand(report, 'submit'),
+    const { listen } = await get<Me>('/v1/me'), at = coordinatorAt(listen ?? '', location.hostname);
+    this.reviewBox.replaceChildren(el('h2', {}, 'Review'), reviewQueue(report, review, decisionsCommand(report, 'submit', at),
       'FILE is the path of the downloaded file in a folder that coordinator and workers may read (--root).'));
     for (const item of review.items) {
       for (const id of item.holes) this.reviewed.set(id, item.hole);

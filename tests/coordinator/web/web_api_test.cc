@@ -61,7 +61,7 @@ class WebApiTest : public CoordinatorTest {
   Entrance entrance_{std::make_shared<Gate>(*Access::Closed(Tokens(), *Log::Null()), registry_, log_)};
   GuardedCalls guarded_{calls_, entrance_};
   JobLogTail tail_{log_};
-  WebApi api_{guarded_, &tail_};
+  WebApi api_{guarded_, &tail_, "0.0.0.0:7070"};
   int jobs_ = 0;
 };
 
@@ -85,7 +85,8 @@ TEST_F(WebApiTest, WhoMayWatchSeesAndChangesNothing) {
     EXPECT_EQ(Post(job + verb, "eve").status, 403) << verb;
     EXPECT_EQ(Post(job + verb, "bob").status, 403) << verb;
   }
-  EXPECT_EQ(Json::parse(Get("/v1/me").body), Json::parse(R"({"name": "eve", "maySteer": false, "isAdmin": false})"));
+  EXPECT_EQ(Json::parse(Get("/v1/me").body),
+            Json::parse(R"({"name": "eve", "maySteer": false, "isAdmin": false, "listen": "0.0.0.0:7070"})"));
   EXPECT_EQ(Json::parse(Get("/v1/me", "ann").body)["maySteer"], true);
   EXPECT_EQ(Json::parse(Get("/v1/me", "root").body)["isAdmin"], true);
 }
