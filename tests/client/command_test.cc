@@ -341,6 +341,15 @@ TEST_F(ClusterCommandTest, CancelledWatchEndsWithSeven) {
   EXPECT_EQ(watch.Wait().code, 7);
 }
 
+TEST_F(ClusterCommandTest, WatchingAJobThatIsOverNamesNoStep) {
+  const auto job = nlohmann::json::parse(RunWith({"submit", "toy://2x2", "--out", folder_ / "out", "-o", "json"}).out);
+  const std::string name = job["name"];
+  EXPECT_EQ(RunWith({"cancel", name}).code, 0);
+  const Ended ended = RunWith({"watch", name});
+  EXPECT_EQ(ended.code, 7);
+  EXPECT_THAT(ended.err, Not(HasSubstr(name + ": ")));
+}
+
 TEST_F(ClusterCommandTest, CtrlCEndsTheWatchingNotTheJob) {
   const auto job = nlohmann::json::parse(RunWith({"submit", "toy://2x2", "--out", folder_ / "out", "-o", "json"}).out);
   Process watch(folder_.path().string(), TOY_CLIENT, {"watch", job["name"], "--coordinator", address_});

@@ -13,8 +13,8 @@ function wordsOf(name: string, value: unknown): string[] {
   return text.startsWith('-') ? [`--${name}=${text}`] : [`--${name}`, text];
 }
 
-// Where a coordinator that listens there can be reached from where its page is seen: on all addresses it listens on that of
-// the page as well. "" if it does not say.
+// Where a coordinator that listens there is reached from where its page is seen: if it listens on all addresses, as the
+// page is. "" if it does not say.
 export function coordinatorAt(listen: string, page: string): string {
   const [, host, port] = /^(.*):(\d+)$/.exec(listen) ?? [];
   if (!port) return '';
