@@ -6,7 +6,6 @@
 #include "client/output.h"
 #include "client/report_text.h"
 #include "common/util/files.h"
-#include "common/util/object_store.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "common/util/utc.h"
@@ -50,8 +49,7 @@ std::string CheckLine(const std::string& scene, const std::string& out) {
 bool CanBeChecked(const v1::Job& job) {
   const v1::JobSpec& spec = job.spec();
   const bool keeps_format = spec.output_format().empty() || spec.output_format() == "same";
-  return (job.state() == v1::DONE || job.state() == v1::PARTIAL) && !spec.dry_run() && keeps_format &&
-         !IsObjectPath(spec.scene()) && !IsObjectPath(spec.out());
+  return (job.state() == v1::DONE || job.state() == v1::PARTIAL) && !spec.dry_run() && keeps_format;
 }
 
 absl::StatusOr<Json> ReportOf(const v1::Job& job) {
