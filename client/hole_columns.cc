@@ -13,8 +13,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 int DecimalsFor(double largest) {
-  constexpr double kLeast = 1, kMost = 15;
-  return largest > 0 ? static_cast<int>(std::clamp(3 - std::floor(std::log10(largest)), kLeast, kMost)) : 1;
+  constexpr double kFewest = 1, kMost = 15;
+  return largest > 0 ? static_cast<int>(std::clamp(3 - std::floor(std::log10(largest)), kFewest, kMost)) : 1;
 }
 
 }  // namespace
