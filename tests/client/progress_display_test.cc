@@ -45,11 +45,11 @@ TEST(ProgressTextTest, LeavesOutWhatIsNotKnownYet) {
   EXPECT_EQ(ProgressText(job, 0, now), "prepare, less than 1 s");
   job.mutable_progress()->set_phase("survey");
   job.mutable_progress()->set_cells(9);
-  EXPECT_EQ(ProgressText(job, 0, now), "survey, 0/9 cells, less than 1 s");
+  EXPECT_EQ(ProgressText(job, 0, now), "look at the tiles, 0/9 cells, less than 1 s");
   job.mutable_progress()->set_tasks(24);
   job.mutable_progress()->set_tasks_done(3);
   job.set_waiting("no worker is connected");
-  EXPECT_EQ(ProgressText(job, 0, now), "survey, 3/24 tasks, 0/9 cells, waits: no worker is connected");
+  EXPECT_EQ(ProgressText(job, 0, now), "look at the tiles, 3/24 tasks, 0/9 cells, waits: no worker is connected");
 }
 
 TEST(StepTextTest, SaysWhatIsCounted) {
