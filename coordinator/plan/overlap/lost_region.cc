@@ -22,7 +22,9 @@ double AreaOf(const Plan& plan, const std::vector<RimSegment>& segments) {
 
 }  // namespace
 
-bool IsLostRegion(const Plan& plan, const std::vector<RimSegment>& hole, const std::vector<RimSegment>& region) {
+bool IsLostRegion(const Plan& plan, const std::vector<RimSegment>& hole, const std::vector<RimSegment>& region,
+                  bool on_outline) {
+  if (!on_outline && !region.empty() && std::ranges::all_of(region, &RimSegment::seam)) return true;
   const double whole = AreaOf(plan, hole);
   return whole - AreaOf(plan, region) > std::max(kLostArea, kLostShare * whole);
 }

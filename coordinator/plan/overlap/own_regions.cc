@@ -166,9 +166,10 @@ class CellRegions {
       for (const int32_t e : members.edges) AddEdge(record_.edges[e], first, region);
       const std::vector<LineVertex> line = LineVertices(first);
       LinkParts link_parts(LengthOf(plan_, region), std::ssize(region));
-      for (const OutlineGap& gap : members.gaps) AddGap(gap, first, line, link_parts, region);
-      if (walk_.all_open && !line.empty() && members.gaps.empty()) AddRing(line, region);
-      if (!region.empty() && IsLostRegion(plan_, first.segments, region)) {
+      bool on_outline = false;  // of the tile
+      for (const OutlineGap& gap : members.gaps) on_outline |= AddGap(gap, first, line, link_parts, region);
+      if (walk_.all_open && !line.empty() && members.gaps.empty()) on_outline |= AddRing(line, region);
+      if (!region.empty() && IsLostRegion(plan_, first.segments, region, on_outline)) {
         first.failure = kLost;
       } else if (whole < region.size()) {
         first.own_regions = {std::move(region)};
@@ -289,13 +290,15 @@ class CellRegions {
     }
   }
 
-  // From the end of one chain along the outline to the next, over new vertices beside those on the grid lines.
-  void AddGap(const OutlineGap& gap, const PlannedHole& hole, const std::vector<LineVertex>& line,
+  // From the end of one chain along the outline to the next, over new vertices beside those on the grid lines. Returns
+  // whether that is the tile's outline, not a link between two pieces of the tile.
+  bool AddGap(const OutlineGap& gap, const PlannedHole& hole, const std::vector<LineVertex>& line,
               LinkParts& link_parts, std::vector<RimSegment>& region) {
     const int32_t from = PlanVertexOf(gap.from), to = PlanVertexOf(gap.to);
-    if (from == to) return;
+    if (from == to) return false;
     std::vector<int32_t> way = {from};
-    if (gap.open && !line.empty()) {
+    const bool is_outline = gap.open && !line.empty();
+    if (is_outline) {
       const bool apart =
           gap.end - gap.begin > kClearance * std::min(plan_.vertices[from].size, plan_.vertices[to].size);
       const auto add_ahead = [&](int32_t end, double place) {
@@ -311,6 +314,7 @@ class CellRegions {
     if (way.size() == 1) AddLink(gap, hole, link_parts, way);
     way.push_back(to);
     for (size_t i = 0; i + 1 < way.size(); ++i) region.push_back({way[i], way[i + 1], true});
+    return is_outline;
   }
 
   // New vertices between ends of chains of two pieces, as far apart as those of the rim; at least one half-way, as the
@@ -378,7 +382,7 @@ class CellRegions {
     return vertices;
   }
 
-  void AddRing(const std::vector<LineVertex>& line, std::vector<RimSegment>& region) {
+  bool AddRing(const std::vector<LineVertex>& line, std::vector<RimSegment>& region) {
     std::map<double, int32_t> ring;
     for (const LineVertex& v : line) ring.emplace(v.place, new_.Beside(v));
     for (int c = 0; c < 4; ++c) {
@@ -389,6 +393,7 @@ class CellRegions {
       const auto next = std::next(it) == ring.end() ? ring.begin() : std::next(it);
       region.push_back({it->second, next->second, true});
     }
+    return true;
   }
 
   int32_t Nearest(double place, const std::vector<LineVertex>& line) const {

@@ -12,7 +12,9 @@ TileTree OneTriangle() {
   file.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   file.uv.resize(3);
   file.triangles = {{0, 1, 2}};
-  file.geometries = {{0, 3, 0, 1}};
+  file.geometries.resize(1);
+  file.geometries[0].vertex_count = 3;
+  file.geometries[0].triangle_count = 1;
   tile.files = {file};
   tile.packed.resize(1);
   tile.pieces = {TreePiece()};
@@ -31,7 +33,7 @@ TEST(FinestMeshTest, IsThatOfTheLastLevel) {
 TEST(FinestMeshTest, RefusesATileWithoutTrianglesUnlessItMayHaveNone) {
   TileTree tile = OneTriangle();
   tile.files[0].triangles.clear();
-  tile.files[0].geometries = {{0, 3, 0, 0}};
+  tile.files[0].geometries[0].triangle_count = 0;
   EXPECT_EQ(FinestMesh(tile, 1, "T", NoFaces::kRefuse).status().message(), "T: the file has no triangles");
   EXPECT_TRUE(FinestMesh(tile, 1, "T", NoFaces::kAccept).ok());
 }

@@ -19,15 +19,26 @@ std::vector<RimSegment> Box(double x0, double y0, double x1, double y1, Plan& pl
 TEST(IsLostRegionTest, WhereMuchOfTheHoleIsMissing) {
   Plan plan;
   const auto hole = Box(1e6, 0, 1e6 + 20, 10, plan);
-  EXPECT_FALSE(IsLostRegion(plan, hole, Box(1e6 - 1, -1, 1e6 + 21, 11, plan)));
-  EXPECT_FALSE(IsLostRegion(plan, hole, Box(1e6, 0, 1e6 + 18.5, 10, plan)));
-  EXPECT_TRUE(IsLostRegion(plan, hole, Box(1e6, 0, 1e6 + 17, 10, plan)));
-  EXPECT_TRUE(IsLostRegion(plan, hole, {}));
+  EXPECT_FALSE(IsLostRegion(plan, hole, Box(1e6 - 1, -1, 1e6 + 21, 11, plan), true));
+  EXPECT_FALSE(IsLostRegion(plan, hole, Box(1e6, 0, 1e6 + 18.5, 10, plan), true));
+  EXPECT_TRUE(IsLostRegion(plan, hole, Box(1e6, 0, 1e6 + 17, 10, plan), true));
+  EXPECT_TRUE(IsLostRegion(plan, hole, {}, true));
 }
 
 TEST(IsLostRegionTest, SmallHolesMayLoseAll) {
   Plan plan;
-  EXPECT_FALSE(IsLostRegion(plan, Box(0, 0, 1.4, 1.4, plan), {}));
+  EXPECT_FALSE(IsLostRegion(plan, Box(0, 0, 1.4, 1.4, plan), {}, true));
+}
+
+TEST(IsLostRegionTest, WhereNothingIsLeftOfTheBoundary) {
+  Plan plan;
+  const auto hole = Box(0, 0, 1, 1, plan);
+  auto region = hole;
+  for (RimSegment& s : region) s.seam = true;
+  EXPECT_TRUE(IsLostRegion(plan, hole, region, false));
+  EXPECT_FALSE(IsLostRegion(plan, hole, region, true)) << "a tile within a lake";
+  region.front().seam = false;
+  EXPECT_FALSE(IsLostRegion(plan, hole, region, false));
 }
 
 }  // namespace
