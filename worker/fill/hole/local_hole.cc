@@ -72,6 +72,11 @@ Vector3d LocalHole::VectorArea() const {
   return sum / 2;
 }
 
+std::optional<double> LocalHole::WaterLevelAt(const Point2& p) const {
+  if (!level || river.stations.empty()) return level;
+  return LevelAt(river, p, cell->lattice_step);
+}
+
 LocalHole NumberVertices(const CellHoles& cell, const CellBand& band, std::span<const RimSegment> segments,
                          std::span<const RimSegment> inner_edges) {
   LocalHole hole;

@@ -56,6 +56,8 @@ struct LocalHole {
   // Unit normal of the original triangle at a segment; zero if there is none.
   Eigen::Vector3d NormalBeside(int32_t from, int32_t to) const;
   Eigen::Vector3d VectorArea() const;
+  // Of the water that the hole is filled as, metres, on the lattice; nullopt if it is filled as none.
+  std::optional<double> WaterLevelAt(const Point2& p) const;
 };
 
 // Numbers the vertices of segments in order of appearance, then those of inner edges. Without loops and normals;

@@ -281,7 +281,10 @@ class FoldedFiller {
       height = std::min(height, a.z() + share * (b.z() - a.z()));
       size = std::min({size, whole_.sizes[from], whole_.sizes[to]});
     }
-    return AddVertex(frame_.ToScene(Point3(place.x(), place.y(), height - kDrop * size)), size);
+    Point3 at = frame_.ToScene(Point3(place.x(), place.y(), height - kDrop * size));
+    // A new vertex of water lies in its level, unless that would be above the edges.
+    if (const auto level = hole_.WaterLevelAt(at.head<2>())) at.z() = std::min(at.z(), *level);
+    return AddVertex(at, size);
   }
 
   // An edge between two rim vertices that the surface has already gets a vertex in its middle: a new one, or the one

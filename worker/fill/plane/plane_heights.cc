@@ -79,7 +79,7 @@ bool FindHeights(const LocalHole& hole, const ProjectionFrame& frame, const Fill
       const bool of_rim = v < static_cast<size_t>(hole.size());
       if (of_rim && (hole.on_object.empty() || !hole.on_object[v])) continue;
       Point3& p = patch.points[v];
-      p.z() = hole.river.stations.empty() ? *hole.level : LevelAt(hole.river, p.head<2>(), hole.cell->lattice_step);
+      p.z() = *hole.WaterLevelAt(p.head<2>());
     }
     return true;
   }

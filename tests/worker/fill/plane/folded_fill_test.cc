@@ -59,6 +59,17 @@ TEST_P(FoldedFillTest, TakesSmallFoldsForWhatTheyAre) {
   ExpectClosesHole(work, work.holes[0], ToHolePatch(hole, std::move(patch)));
 }
 
+TEST_P(FoldedFillTest, HasNewVerticesOfWaterAtItsLevel) {
+  CellHoles work = WorkOfSheet(Disc(2, 5, 3), LeanAtStep, 0);
+  work.holes[0].level = -0.5;
+  const CellBand band(work);
+  const LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
+  const LocalPatch patch = Filled(hole, GetParam());
+  ASSERT_TRUE(patch.ok());
+  ASSERT_FALSE(patch.new_points.empty());
+  for (const Point3& p : patch.new_points) EXPECT_EQ(p.z(), -0.5);
+}
+
 // One edge in the region, one in the fold that is cut off.
 TEST_P(FoldedFillTest, PassesThroughEdgesInsideTheRegion) {
   CellHoles work = WorkOfSheet(Disc(2, 5, 3), LeanAtStep, 0);
