@@ -18,8 +18,8 @@ std::vector<std::string> Shortened(std::vector<std::string> reasons) {
 const std::string kCrosses = "every patch that was tried passes through itself or the surface around it";
 
 TEST(ShortenRepeatedTest, ALongReasonIsPrintedOnce) {
-  EXPECT_THAT(Shortened({kCrosses, "14 % of the surface around it is lower than its rim", kCrosses}),
-              ElementsAre("[1] " + kCrosses, "14 % of the surface around it is lower than its rim", "[1]"));
+  EXPECT_THAT(Shortened({kCrosses, "14 % of the surface around it is no higher than its rim", kCrosses}),
+              ElementsAre("[1] " + kCrosses, "14 % of the surface around it is no higher than its rim", "[1]"));
 }
 
 TEST(ShortenRepeatedTest, WhatDiffersIsKept) {
