@@ -48,13 +48,14 @@ std::vector<Judged> JudgedOf(const SceneReportInput& input) {
 
 std::string WhyLookAt(const HoleEvidence& evidence, const Judged& judged) {
   std::vector<std::string> why;
-  const bool is_flat = evidence.verdict != Verdict::kNoWater;
+  const bool is_flat = evidence.verdict != Verdict::kNoWater, is_decided = evidence.area >= 0;
   const bool is_large = judged.area >= kWaterProfiles[0].least_lake;
   const double circle = 2 * std::sqrt(std::numbers::pi * judged.area);
   if (is_flat && evidence.sigma.value_or(0) > kSureLevel) {
     why.push_back(absl::StrFormat(
         "the standard deviation of its level is %.2f m; a polygon with level_m can set the level", *evidence.sigma));
   }
+  if (is_decided) return absl::StrJoin(why, "; ");
   if (is_flat && !evidence.is_of_whole_scene && judged.rim < circle) {
     why.push_back(absl::StrFormat("only %.0f m of rim tell the level of %.0f m2; the rest ends at the edge of the area",
                                   judged.rim, judged.area));
@@ -74,7 +75,7 @@ Json LookAtJson(const SceneReportInput& input) {
   const std::vector<Judged> judged = JudgedOf(input);
   for (size_t e = 0; e < judged.size(); ++e) {
     const HoleEvidence& evidence = plan.evidence[e];
-    if (judged[e].largest < 0 || evidence.area >= 0) continue;
+    if (judged[e].largest < 0) continue;
     const std::string why = WhyLookAt(evidence, judged[e]);
     if (why.empty()) continue;
     const PlannedHole& hole = plan.holes[judged[e].largest];

@@ -44,6 +44,19 @@ TEST_F(LookAtTest, SaysWhichLevelIsDoubtful) {
   EXPECT_THAT(rows[0]["why"], HasSubstr("0.30 m"));
 }
 
+// As on a meadow that a polygon calls water.
+TEST_F(LookAtTest, NamesADoubtfulLevelOfAPolygon) {
+  HoleEvidence given = {Verdict::kLake, true, 417.7, 0.7, "feature 0 says that it is water"};
+  given.area = 0;
+  Add(given, 200, 5);
+  given.sigma = std::nullopt;  // its level is the user's
+  Add(given, 200, 5);
+  const Json rows = LookAtJson(input_);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0]["hole"], 0);
+  EXPECT_EQ(rows[0]["why"], "the standard deviation of its level is 0.70 m; a polygon with level_m can set the level");
+}
+
 TEST_F(LookAtTest, SaysWhereTheRimIsShorterThanACircle) {
   Add({Verdict::kLevelGround, true, 3.25, 0.02, "noise"}, 314.2, 62);  // a circle of 10 m has 62.8 m
   Add({Verdict::kLevelGround, true, 3.25, 0.02, "noise"}, 314.1, 63);
