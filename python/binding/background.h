@@ -31,7 +31,8 @@ class SharedStep {
 
 // Runs `work` without the GIL. Each 50 ms looks for signals and, if the step changed, calls `show` with the GIL. An
 // exception of a signal's handler or of `show` cancels `cancel`. It is thrown once `work` has ended. A std::bad_alloc
-// of `work` is thrown here. Precondition: the caller holds the GIL; `work` ends soon after `cancel`.
+// of `work` is thrown here. If the interpreter ends, raises SystemExit, once `work` has ended. Precondition: the caller
+// holds the GIL; `work` ends soon after `cancel`, and once InterpreterEnds().
 void RunInBackground(const std::function<void()>& work, CancelToken& cancel, const SharedStep& step,
                      const std::function<void(const SharedStep::Step&)>& show);
 

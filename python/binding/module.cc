@@ -28,6 +28,7 @@
 #include "coordinator/report/scene_report.h"
 #include "python/binding/array_view.h"
 #include "python/binding/background.h"
+#include "python/binding/interpreter_exit.h"
 
 namespace tilemend {
 namespace {
@@ -87,7 +88,7 @@ struct Result {
 absl::StatusOr<Result> FillArrays(ArrayMesh mesh, const v1::JobSpec& spec, const CancelToken& cancel,
                                   SharedStep& step) {
   TILEMEND_ASSIGN_OR_RETURN(MeshFillOptions options, MeshOptionsOf(spec));
-  options.fill.refine.is_cancelled = [&] { return cancel.cancelled(); };
+  options.fill.refine.is_cancelled = [&] { return cancel.cancelled() || InterpreterEnds(); };
   options.show = [&](std::string_view name, size_t done, size_t all) { step.Set(name, done, all); };
   TILEMEND_ASSIGN_OR_RETURN(FilledMesh filled, FillMesh(mesh, options));
   filled.report.date = UtcText(absl::Now());
@@ -142,6 +143,7 @@ py::tuple Fill(const py::array& vertices, const py::array& faces, const std::map
 PYBIND11_MODULE(_tilemend, module) {
   module.doc() = "Geometry of tilemend; use the package tilemend.";
   module.attr("RELEASE") = Version();
+  WatchInterpreterExit();
   module.def("options", &OptionRows);
   module.def("fill", &Fill, py::arg("vertices"), py::arg("faces"), py::arg("options"), py::arg("progress"));
 }

@@ -46,6 +46,7 @@ def fill(vertices: Rows, faces: Rows, *, progress: Optional[FillProgress] = None
         InvalidInput (a ValueError): a shape, a coordinate, an index or an option is wrong; the text says where.
         NotFound: a file of `water` or `clear` is missing.
         KeyboardInterrupt: Ctrl-C, soon after it was pressed. Other threads of Python run meanwhile.
+        SystemExit: the interpreter ends while another thread is here. It ends that thread without a message.
     """
     if progress is not None and not callable(progress):
         raise TypeError(f'progress: has type {type(progress).__name__}; expected a function')
