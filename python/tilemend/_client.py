@@ -25,13 +25,17 @@ _LOST = (grpc.StatusCode.UNAVAILABLE, grpc.StatusCode.RESOURCE_EXHAUSTED)
 # As the programs have: a lost machine is noticed within half a minute, and one that is back within a second.
 _CHANNEL_OPTIONS = (('grpc.keepalive_time_ms', 20000), ('grpc.keepalive_timeout_ms', 10000),
                     ('grpc.http2.max_pings_without_data', 0), ('grpc.initial_reconnect_backoff_ms', 100),
-                    ('grpc.min_reconnect_backoff_ms', 2000), ('grpc.max_reconnect_backoff_ms', 1000))
+                    ('grpc.min_reconnect_backoff_ms', 2000), ('grpc.max_reconnect_backoff_ms', 1000),
+                    # Else a client of a forked child would share the connections of the parent's clients.
+                    ('grpc.use_local_subchannel_pool', 1))
 _DETAILS = 'grpc-status-details-bin'
 _INFO = 'google.rpc.ErrorInfo'
 
 
 class Client(Submitter):
     """A connection to a coordinator. Close it, or use it in a `with` statement. Safe from several threads.
+
+    A process that is forked makes a client of its own.
 
     Args:
         address: "HOST:PORT".
@@ -55,7 +59,7 @@ class Client(Submitter):
         if token_file is not None:
             self._token = _read_token(token_file)
         _token_metadata(self._token)
-        self._timeout, self._is_closed = timeout, False
+        self._timeout, self._is_closed, self._process = timeout, False, os.getpid()
         self._shown = f'{address}, ' + ('plain text' if ca is None and cert is None else 'TLS')
         self._channel = _channel(address, ca, cert, key)
         self._jobs = jobs_pb2_grpc.JobsStub(self._channel)
@@ -73,7 +77,8 @@ class Client(Submitter):
     def close(self) -> None:
         """Ends the connection. Jobs go on."""
         self._is_closed = True
-        self._channel.close()
+        if self._process == os.getpid():  # else the connection is the parent's
+            self._channel.close()
 
     def get(self, job: Union[str, Job]) -> Job:
         """The job as it is now. NotFound if there is none.
@@ -114,6 +119,7 @@ class Client(Submitter):
     def _watch(self, name: str, patience: float, end: Optional[float]) -> Iterator[Job]:
         """`end`: when TimedOut is raised, by time.monotonic()."""
         request = request_of(jobs_pb2.WatchJobRequest, name=name)
+        _check_process(self._process)
         give_up, pause = None, _FIRST_PAUSE_S  # no time to give up while there is a connection
         while True:
             begun, metadata = time.monotonic(), self._metadata()
@@ -231,6 +237,7 @@ class Client(Submitter):
         return found[0] if found else None
 
     def _call(self, method: Any, request: Any) -> Any:
+        _check_process(self._process)
         metadata = self._metadata()
         try:
             return method(request, timeout=self._timeout, metadata=metadata)
@@ -254,6 +261,12 @@ class Client(Submitter):
 def _closed() -> Error:
     """In place of the ValueError that grpc raises."""
     return InvalidInput('the client is closed')
+
+
+def _check_process(process: int) -> None:
+    """`process`: that which made the client."""
+    if process != os.getpid():
+        raise InvalidInput(f'the client was made by process {process}, before a fork; make a new one in this process')
 
 
 def _seconds_to(end: Optional[float]) -> Optional[float]:

@@ -58,6 +58,23 @@ class Cluster:
         return path
 
 
+def calls_of_a_child(old, address):
+    """What a forked process gets: from a client of its parent, and from one that it makes. One line a call."""
+    lines = []
+    for call in (old.jobs, lambda: next(old.watch('a'))):
+        try:
+            call()
+        except tilemend.Error as error:
+            lines.append(type(error).__name__ + ('' if 'before a fork' in str(error) else f': {error}'))
+    old.close()
+    try:
+        with tilemend.Client(address, timeout=10) as client:
+            lines.append(str(client.jobs()))
+    except tilemend.Error as error:
+        lines.append(f'{type(error).__name__}: {error}')
+    return '\n'.join(lines)
+
+
 class ClientTest(unittest.TestCase):
     def test_a_job_from_its_start_to_its_report(self):
         cluster = Cluster(self)
@@ -196,6 +213,23 @@ class ClientTest(unittest.TestCase):
                           cluster.address)
             cluster.add_worker()
             self.assertEqual(list(watch)[-1].state, 'DONE')
+
+    def test_a_forked_process_has_clients_of_its_own(self):
+        cluster = Cluster(self)
+        with tilemend.Client(cluster.address) as client:
+            self.assertEqual(client.jobs(), [])
+            told, tell = os.pipe()
+            child = os.fork()
+            if child == 0:
+                try:
+                    os.write(tell, calls_of_a_child(client, cluster.address).encode())
+                finally:
+                    os._exit(0)
+            os.close(tell)
+            with open(told, encoding='utf-8') as answers:
+                self.assertEqual(answers.read().splitlines(), ['InvalidInput', 'InvalidInput', '[]'])
+            os.waitpid(child, 0)
+            self.assertEqual(client.jobs(), [])
 
     def test_says_when_nobody_answers(self):
         with tilemend.Client('127.0.0.1:9', timeout=5) as client:
