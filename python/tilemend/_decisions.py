@@ -3,11 +3,11 @@ from __future__ import annotations
 
 import json
 import math
-import numbers
 import os
 from typing import Any, Dict, List, Literal, Mapping, Optional, Tuple, Union
 
 from ._errors import AlreadyExists, InvalidInput, NotFound
+from ._reading import is_number, json_of, of_file
 from ._types import Path
 
 # With a level in metres; None takes an earlier decision back.
@@ -17,14 +17,18 @@ _KINDS = ('accept', 'water', 'ground', 'open')
 _KEPT = ('hole', 'cluster')  # what --decisions reads beside the decision
 
 
-def write_decisions(report: Dict[str, Any], outlines: str, path: Path, decisions: Mapping[int, Decision],
-                    overwrite: bool) -> None:
+def write_decisions(report_path: str, report: Dict[str, Any], outlines: str, path: Path,
+                    decisions: Mapping[int, Decision], overwrite: bool) -> None:
     """Writes the decisions, and those that the report's output has already. `outlines`: path of its holes.geojson."""
     collection = _read(outlines)
     marks: Dict[int, Optional[Dict[str, Any]]] = {}
     for hole, decision in dict(decisions).items():
         mark = _properties(hole, decision)
-        for other in _group(report, hole):
+        with of_file(report_path):
+            group = _group(report, hole)
+        if not all(map(is_number, group)):
+            raise InvalidInput(f'{report_path}: is not as tilemend writes it: a number of a hole is no number')
+        for other in group:
             if marks.setdefault(other, mark) != mark:
                 raise InvalidInput(f'decisions: hole {hole} and another hole of its group have different decisions; '
                                    'they belong together, so give one')
@@ -63,23 +67,32 @@ def _write(path: str, text: str, overwrite: bool, outlines: str) -> None:
 
 
 def _read(path: str) -> Dict[str, Any]:
+    """A collection of features that have `properties` with a number `hole`, and a `geometry`, which may be None."""
     try:
-        with open(path, encoding='utf-8') as file:
-            collection = json.load(file)
-        [feature['properties']['hole'] for feature in collection['features']]
+        collection = json_of(path)
     except FileNotFoundError:
         raise NotFound(f'{path}: no such file; only `tilemend run` and jobs write it') from None
-    except (ValueError, LookupError, TypeError, RecursionError) as error:
-        raise InvalidInput(f'{path}: is no file of holes of tilemend: {error!r}') from None
+    features = collection.get('features') if isinstance(collection, dict) else None
+    if not isinstance(features, list):
+        raise InvalidInput(f'{path}: is no file of holes of tilemend: expected an object with a list "features"')
+    for number, feature in enumerate(features):
+        if not _is_hole(feature):
+            raise InvalidInput(f'{path}: is no file of holes of tilemend: features[{number}] is no feature with a number '
+                               '"hole" among its properties')
     return dict(collection)
+
+
+def _is_hole(feature: Any) -> bool:
+    if not isinstance(feature, dict) or not isinstance(feature.get('properties'), dict):
+        return False
+    return is_number(feature['properties'].get('hole')) and isinstance(feature.get('geometry', 0), (dict, type(None)))
 
 
 def _properties(hole: int, decision: Decision) -> Optional[Dict[str, Any]]:
     if decision is None:
         return None
     kind, level = decision if isinstance(decision, tuple) and len(decision) == 2 else (decision, None)
-    is_number = isinstance(level, numbers.Real) and not isinstance(level, bool) and math.isfinite(level)
-    is_level = level is None or is_number and kind == 'water'
+    is_level = level is None or kind == 'water' and is_number(level) and -math.inf < level < math.inf
     if kind not in _KINDS or not is_level:
         raise InvalidInput(f'decisions[{hole}] is {decision!r}: expected {", ".join(_KINDS)}, None, or ("water", LEVEL) '
                            'with a finite number')

@@ -1,14 +1,13 @@
 """report.json of a filled scene or mesh."""
 from __future__ import annotations
 
-import json
 import os
-import stat
 from dataclasses import dataclass
 from typing import Any, Dict, List, Mapping, Optional
 
 from ._decisions import Decision, write_decisions
-from ._errors import InvalidInput, NotAllowed, NotFound
+from ._errors import InvalidInput, NotFound
+from ._reading import json_of, of_file
 from ._types import Path
 
 _LISTS = ('per_hole', 'left', 'warnings', 'water', 'look_at')
@@ -99,11 +98,13 @@ class Report:
     def holes_table(self) -> Any:
         """The holes as a pandas.DataFrame indexed by `id`. Their cells are the columns `column` and `row`, their centres
         `x` and `y` and, if holes have a height, `z`, in metres. Needs pandas."""
-        return table_of(self.holes)
+        with of_file(self.path):
+            return table_of(self.holes)
 
     def review_table(self) -> Any:
         """The fills in doubt as a pandas.DataFrame indexed by `hole`, the most doubtful first. Needs pandas."""
-        return table_of(self.review, 'hole')
+        with of_file(self.path):
+            return table_of(self.review, 'hole')
 
     def write_decisions(self, path: Path, decisions: Mapping[int, Decision], *, overwrite: bool = False) -> None:
         """Writes a file for `decisions` of a job, or `tilemend run --decisions`, onto this output.
@@ -118,16 +119,17 @@ class Report:
             overwrite: replaces a file that is there.
 
         Raises:
-            InvalidInput (a ValueError): there is no such hole or decision, the hole has no polygon, or a level is not
-            finite.
+            InvalidInput (a ValueError): there is no such hole or decision, the hole has no polygon, a level is not
+            finite, or the report or holes.geojson is damaged.
             AlreadyExists (a FileExistsError): there is such a file.
             NotFound: there is no holes.geojson beside the report.
         """
-        write_decisions(self.data, self._holes_path(), path, decisions, overwrite)
+        write_decisions(self.path, self.data, self._holes_path(), path, decisions, overwrite)
 
     def holes_map(self) -> Any:
         """The polygons of the holes as a geopandas.GeoDataFrame in the scene's CRS, from holes.geojson beside the
-        report. What is not there is NaN in columns of numbers and None in all others. Needs GeoPandas."""
+        report. What is not there is NaN in columns of numbers and None in all others. InvalidInput if that file is
+        damaged. Needs GeoPandas."""
         try:
             import geopandas
         except ImportError:
@@ -135,7 +137,12 @@ class Report:
         path = self._holes_path()
         if not os.path.exists(path):
             raise NotFound(f'{path}: no such file; only `tilemend run` and jobs write it')
-        return _with_none(geopandas.read_file(path))
+        try:
+            return _with_none(geopandas.read_file(path))
+        except (ImportError, MemoryError):
+            raise
+        except Exception as error:  # of several libraries, without a class in common
+            raise InvalidInput(f'{path}: cannot be read as holes of tilemend: {error!r}') from error
 
     def _holes_path(self) -> str:
         return os.path.join(os.path.dirname(self.path), 'holes.geojson')
@@ -158,28 +165,13 @@ def read_report(path: Path) -> Report:
     if os.path.isdir(name):
         name = os.path.join(name, 'report.json')
     try:
-        data = json.loads(_text_of(name))
+        data = json_of(name)
     except FileNotFoundError:
         raise NotFound(_what_is_missing(name, os.fsdecode(path))) from None
-    except PermissionError:
-        raise NotAllowed(f'{name}: may not be read by this user') from None
-    except OSError as error:
-        raise InvalidInput(f'{name}: cannot be read: {error.strerror}') from None
-    except (UnicodeDecodeError, json.JSONDecodeError, RecursionError) as error:
-        raise InvalidInput(f'{name}: is not JSON: {error}') from None
     missing = _missing(data)
     if missing:
         raise InvalidInput(f'{name}: is no report of tilemend: {missing}')
     return Report(name, data)
-
-
-def _text_of(name: str) -> str:
-    """Of a regular file. A pipe would have the reader wait, and a device may have no end."""
-    descriptor = os.open(name, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
-    with open(descriptor, encoding='utf-8') as file:
-        if not stat.S_ISREG(os.fstat(descriptor).st_mode):
-            raise InvalidInput(f'{name}: is no regular file')
-        return file.read()
 
 
 def _what_is_missing(name: str, given: str) -> str:
@@ -197,6 +189,9 @@ def _missing(data: Any) -> Optional[str]:
     for key in _LISTS + _NEWER_LISTS:
         if not isinstance(data.get(key, None if key in _LISTS else []), list):
             return f'it has no list "{key}"'
+        kind, name = (str, 'text') if key == 'warnings' else (dict, 'object')
+        if not all(isinstance(row, kind) for row in data.get(key, [])):
+            return f'a row of "{key}" is no {name}'
     return None
 
 

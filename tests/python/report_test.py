@@ -40,7 +40,11 @@ class ReportTest(unittest.TestCase):
         for text, fault in ((b'{', 'is not JSON'), (b'\xff', 'is not JSON'), (b'[]', 'expected an object, found list'),
                             (b'[' * 100000, 'is not JSON'), (b'{"per_hole": 3}', 'it has no list "per_hole"'),
                             (json.dumps({'per_hole': []}).encode(), 'it has no list "left"'),
-                            (json.dumps(dict(EMPTY, review={})).encode(), 'it has no list "review"')):
+                            (json.dumps(dict(EMPTY, review={})).encode(), 'it has no list "review"'),
+                            (json.dumps(dict(EMPTY, per_hole=[3])).encode(), 'a row of "per_hole" is no object'),
+                            (json.dumps(dict(EMPTY, review=[True])).encode(), 'a row of "review" is no object'),
+                            (json.dumps(dict(EMPTY, warnings=[{}])).encode(), 'a row of "warnings" is no text'),
+                            (b'{"a": ' + b'9' * 5000 + b'}', 'cannot be read: .*5000 digits')):
             with open(path, 'wb') as file:
                 file.write(text)
             with self.assertRaisesRegex(tilemend.InvalidInput, fault):
@@ -80,6 +84,46 @@ class ReportTest(unittest.TestCase):
             rows = [feature['properties'] for feature in json.load(file)['features']]
         self.assertEqual([(row['hole'], row['level_m']) for row in rows], [(3, None), (4, 2.5)])
         self.assertEqual(sorted(os.listdir(self.folder)), ['d.geojson', 'holes.geojson', 'report.json'])
+
+    def test_damaged_files_are_errors_of_tilemend(self):
+        polygon = {'type': 'Polygon', 'coordinates': [[[0, 0], [1, 0], [1, 1], [0, 0]]]}
+        hole = {'type': 'Feature', 'properties': {'hole': 3}, 'geometry': polygon}
+        row = {'id': 3, 'outcome': 'filled'}
+        path = os.path.join(self.folder, 'd.geojson')
+        for features in (3, None, [3], [dict(hole, properties=None)], [dict(hole, properties={})],
+                         [dict(hole, properties={'hole': [3]})], [dict(hole, geometry=3)],
+                         [{'type': 'Feature', 'properties': {'hole': 3}}]):
+            self.write('report.json', dict(EMPTY, per_hole=[row]))
+            self.write('holes.geojson', {'type': 'FeatureCollection', 'features': features})
+            with self.subTest(features=features), self.assertRaisesRegex(tilemend.InvalidInput, 'holes.geojson: is no file'):
+                tilemend.read_report(self.folder).write_decisions(path, {3: 'accept'})
+        self.write('holes.geojson', {'type': 'FeatureCollection', 'features': [hole]})
+        for key, damaged in (('per_hole', {}), ('per_hole', dict(row, id=[3])), ('review', {}),
+                             ('review', {'holes': 'all'}), ('review', {'holes': None}),
+                             ('review', {'holes': [3, 'x']}), ('review', {'holes': [3, []]})):
+            self.write('report.json', dict(EMPTY, **{'per_hole': [row], key: [damaged]}))
+            with self.subTest(damaged=damaged), self.assertRaisesRegex(tilemend.InvalidInput, 'is not as tilemend writes it'):
+                tilemend.read_report(self.folder).write_decisions(path, {3: 'accept'})
+        self.assertEqual(sorted(os.listdir(self.folder)), ['holes.geojson', 'report.json'])
+
+    def test_tables_of_damaged_rows_are_errors_of_tilemend(self):
+        need(self, 'pandas')
+        row = {'id': 3, 'outcome': 'filled'}
+        for damaged in (dict(row, cell=3), dict(row, centre=True), {}, dict(row, level_m=[1])):
+            self.write('report.json', dict(EMPTY, per_hole=[damaged], review=[damaged]))
+            report = tilemend.read_report(self.folder)
+            for table in (report.holes_table, report.review_table):
+                with self.subTest(damaged=damaged), self.assertRaisesRegex(tilemend.InvalidInput, 'report.json: is not as'):
+                    table()
+
+    def test_a_map_of_a_damaged_file_is_an_error_of_tilemend(self):
+        need(self, 'geopandas')
+        self.write('report.json', EMPTY)
+        for features in (3, [{'type': 'Feature', 'properties': {'hole': 3},
+                              'geometry': {'type': 'Polygon', 'coordinates': [[[0, 0], [1, 1]]]}}]):
+            self.write('holes.geojson', {'type': 'FeatureCollection', 'features': features})
+            with self.subTest(features=features), self.assertRaisesRegex(tilemend.InvalidInput, 'cannot be read as holes'):
+                tilemend.read_report(self.folder).holes_map()
 
     def test_an_empty_path_is_no_folder(self):
         with self.assertRaisesRegex(tilemend.InvalidInput, 'an empty path'):
