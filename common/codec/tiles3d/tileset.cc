@@ -255,7 +255,7 @@ absl::StatusOr<std::string> FolderSource::Read(const std::string& file) const {
   const std::filesystem::path folder = RealPath(folder_);
   const std::filesystem::path path = folder / file;
   if (!IsBelow(folder, RealPath(path))) {
-    return absl::PermissionDeniedError(absl::StrCat(path.string(), ": it leads out of the folder ", folder.string()));
+    return absl::OutOfRangeError(absl::StrCat(path.string(), ": it leads out of the folder ", folder.string()));
   }
   return ReadFile(path.string());
 }

@@ -69,7 +69,7 @@ class TilesetSource {
   virtual absl::StatusOr<std::string> Read(const std::string& file) const = 0;
 };
 
-// The files below a folder. A link that leads out of the folder is kPermissionDenied.
+// The files below a folder. A link that leads out of the folder is kOutOfRange.
 class FolderSource : public TilesetSource {
  public:
   explicit FolderSource(std::string folder) : folder_(std::move(folder)) {}
