@@ -281,6 +281,10 @@ bool HttpServer::Impl::Listen(const std::string& host, int wanted_port, size_t r
   };
   server->Get(".*", answer);
   server->Post(".*", answer);
+  server->Put(".*", answer);
+  server->Patch(".*", answer);
+  server->Delete(".*", answer);
+  server->Options(".*", answer);
   if (wanted_port == 0) {
     port = server->bind_to_any_port(host);
   } else if (server->bind_to_port(host, wanted_port)) {

@@ -17,7 +17,7 @@
 namespace tilemend {
 
 struct HttpRequest {
-  std::string method;  // "GET", "HEAD", "POST"
+  std::string method;  // "GET", "HEAD", "POST", "PUT", "PATCH", "DELETE", "OPTIONS"
   std::string path;    // decoded, without the query
   std::map<std::string, std::string> query = {};
   std::map<std::string, std::string> headers = {};  // names in lower case; of one that comes twice the first

@@ -2,6 +2,8 @@
 
 #include <openssl/crypto.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "absl/strings/ascii.h"
@@ -27,13 +29,19 @@ bool ShowsToken(const HttpRequest& request, const std::string& token_file) {
 HttpAnswer Text(int status, std::string text) { return {.status = status, .body = std::move(text)}; }
 
 HttpAnswer PageOf(const HttpRequest& request, const StatusPages& pages, const std::string& token_file) {
+  constexpr const char* kPaths[] = {"/metrics", "/healthz", "/readyz"};
+  if (std::ranges::find(kPaths, request.path) == std::end(kPaths)) {
+    return Text(404, "there are /metrics, /healthz and /readyz\n");
+  }
+  if (request.method != "GET" && request.method != "HEAD") {
+    HttpAnswer answer = Text(405, "this is a page to read\n");
+    answer.headers = {{"Allow", "GET, HEAD"}};
+    return answer;
+  }
   if (request.path == "/healthz") return Text(200, "ok\n");
   if (request.path == "/readyz") {
     const std::string reason = pages.not_ready();
     return reason.empty() ? Text(200, "ready\n") : Text(503, reason + "\n");
-  }
-  if (request.path != "/metrics" || request.method == "POST") {
-    return Text(404, "there are /metrics, /healthz and /readyz\n");
   }
   if (ShowsToken(request, token_file)) return {.type = kMetricsType, .body = pages.metrics()};
   HttpAnswer answer = Text(401, "needs the token of --metrics-token\n");

@@ -101,7 +101,11 @@ HttpAnswer WebServer::Impl::Answer(const HttpRequest& request) {
   }
   if (IsFromAnotherSite(request)) return PlainAnswer(403, "a page of another site may not call this one\n");
   if (absl::StartsWith(request.path, "/v1/")) return api.Answer(request);
-  if (request.method == "POST") return PlainAnswer(405, "there is nothing to post to here\n");
+  if (request.method != "GET" && request.method != "HEAD") {
+    HttpAnswer answer = PlainAnswer(405, "this is a page to read; the calls are below /v1/\n");
+    answer.headers.emplace_back("Allow", "GET, HEAD");
+    return answer;
+  }
   if (request.path == "/" || request.path == "/index.html") {
     return AssetAnswer(request, "text/html; charset=utf-8", kPage, false);
   }

@@ -68,6 +68,12 @@ TEST(StatusServerTest, HasNoOtherPages) {
   ASSERT_TRUE(server.ok()) << server.status();
   EXPECT_THAT(HttpGet((*server)->port(), "/etc/passwd"), StartsWith("HTTP/1.1 404 "));
   EXPECT_THAT(HttpGet((*server)->port(), "/metrics/.."), StartsWith("HTTP/1.1 404 "));
+  for (const char* method : {"POST", "PUT", "DELETE"}) {
+    const std::string head = std::string(method) + " /metrics HTTP/1.1\r\nHost: x\r\nContent-Length: 0\r\n\r\n";
+    const std::string answer = HttpAsk((*server)->port(), head);
+    EXPECT_THAT(answer, StartsWith("HTTP/1.1 405 ")) << method;
+    EXPECT_THAT(answer, HasSubstr("\r\nAllow: GET, HEAD\r\n")) << method;
+  }
 }
 
 TEST(StatusServerTest, AnswersBesideRequestsThatNeverEnd) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/support/http_get.h"
 #include "tests/support/test_cluster.h"
@@ -65,6 +67,21 @@ TEST_F(WebServerTest, AnotherSiteMayNotCall) {
   }
   EXPECT_THAT(Ask("GET /v1/jobs HTTP/1.1"), StartsWith("HTTP/1.1 421 "));
   EXPECT_THAT(Ask("POST / HTTP/1.1\r\nHost: localhost\r\nContent-Length: 0"), StartsWith("HTTP/1.1 405 "));
+}
+
+TEST_F(WebServerTest, SaysWhichMethodsAPathHas) {
+  const std::vector<std::pair<std::string, std::string>> allowed_of = {
+      {"/v1/workers", "GET, HEAD"}, {"/v1/jobs/1/cancel", "POST"}, {"/", "GET, HEAD"}, {"/console.js", "GET, HEAD"}};
+  for (const std::string method : {"PUT", "PATCH", "DELETE", "OPTIONS"}) {
+    const std::string rest = " HTTP/1.1\r\nHost: localhost\r\nContent-Length: 0";
+    for (const auto& [path, allowed] : allowed_of) {
+      const std::string answer = Ask(method + " " + path + rest);
+      EXPECT_THAT(answer, StartsWith("HTTP/1.1 405 ")) << method << " " << path;
+      EXPECT_THAT(answer, HasSubstr("\r\nAllow: " + allowed + "\r\n")) << method << " " << path;
+      EXPECT_THAT(answer, HasSubstr("X-Content-Type-Options: nosniff")) << method << " " << path;
+    }
+    EXPECT_THAT(Ask(method + " /v1/nothing" + rest), StartsWith("HTTP/1.1 404 ")) << method;
+  }
 }
 
 TEST_F(WebServerTest, WhereCallersHaveNamesAnyHostNameWillDo) {
