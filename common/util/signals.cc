@@ -10,7 +10,10 @@
 #include <csignal>
 #include <cstdint>
 #include <ctime>
+#include <string_view>
 #include <utility>
+
+#include "common/util/exit_codes.h"
 
 namespace tilemend {
 namespace {
@@ -23,7 +26,31 @@ sigset_t Watched() {
   return set;
 }
 
+constexpr std::string_view kCancelled = "\ntilemend: cancelled\n";  // the line before may be a bar of progress
+
+// Async-signal-safe.
+void EndProcess(int /*signal*/) {
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kCancelled.data(), kCancelled.size());
+  _exit(kExitCancelled);
+}
+
+// As EndProcess, where no bar is shown.
+void EndProcessPlainly(int /*signal*/) {
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kCancelled.data() + 1, kCancelled.size() - 1);
+  _exit(kExitCancelled);
+}
+
 }  // namespace
+
+void ExitOnSignal() {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    struct sigaction action {};
+    if (sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
+    action = {};
+    action.sa_handler = isatty(STDERR_FILENO) == 1 ? EndProcess : EndProcessPlainly;
+    sigaction(signal, &action, nullptr);
+  }
+}
 
 SignalWatcher::SignalWatcher() {
   const sigset_t set = Watched();

@@ -1,4 +1,4 @@
-// SIGINT and SIGTERM as calls on an ordinary thread.
+// SIGINT and SIGTERM as an exit code, or as calls on an ordinary thread.
 #ifndef TILEMEND_COMMON_UTIL_SIGNALS_H_
 #define TILEMEND_COMMON_UTIL_SIGNALS_H_
 
@@ -6,6 +6,10 @@
 #include <thread>
 
 namespace tilemend {
+
+// For the start of main: SIGINT and SIGTERM end the process with kExitCancelled and a line on stderr, while no
+// SignalWatcher lives. A signal that the caller has ignored stays so.
+void ExitOnSignal();
 
 // While it lives, SIGINT and SIGTERM do not end the process. Make it before any other thread (gRPC starts some with the
 // first channel): only threads that are made later are kept from taking the signals. At most one at a time.

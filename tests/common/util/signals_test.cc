@@ -7,6 +7,8 @@
 #include <future>
 #include <vector>
 
+#include "common/util/exit_codes.h"
+
 namespace tilemend {
 namespace {
 
@@ -53,6 +55,36 @@ TEST(SignalWatcherTest, DropsWhatComesAfterTheStop) {
 TEST(SignalWatcherTest, GivesTheSignalsBackWhenItEnds) {
   { SignalWatcher watcher; }
   EXPECT_EXIT(Send(SIGTERM), ::testing::KilledBySignal(SIGTERM), "");
+}
+
+TEST(ExitOnSignalTest, EndsWithACodeUnlessTheSignalIsWatched) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const auto end = [&] {
+      ExitOnSignal();
+      { SignalWatcher watcher; }
+      Send(signal);
+    };
+    EXPECT_EXIT(end(), ::testing::ExitedWithCode(kExitCancelled), "tilemend: cancelled");
+    const auto watch = [&] {
+      ExitOnSignal();
+      {
+        SignalWatcher watcher;
+        Send(signal);
+      }
+      ::_exit(kExitDone);
+    };
+    EXPECT_EXIT(watch(), ::testing::ExitedWithCode(kExitDone), "");
+  }
+}
+
+TEST(ExitOnSignalTest, ASignalThatIsIgnoredStaysSo) {
+  const auto ignore = [] {
+    ::signal(SIGINT, SIG_IGN);
+    ExitOnSignal();
+    Send(SIGINT);
+    ::_exit(kExitDone);
+  };
+  EXPECT_EXIT(ignore(), ::testing::ExitedWithCode(kExitDone), "");
 }
 
 }  // namespace
