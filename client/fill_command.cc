@@ -27,6 +27,7 @@
 #include "common/records/surface.h"
 #include "common/store/fingerprint.h"
 #include "common/util/files.h"
+#include "common/util/folders.h"
 #include "common/util/status_macros.h"
 #include "common/util/stopwatch.h"
 #include "common/util/text.h"
@@ -81,6 +82,21 @@ absl::StatusOr<std::vector<std::string>> WriteFilesBeside(const std::string& in,
   TILEMEND_ASSIGN_OR_RETURN(const auto failed, CarryFiles(FolderOf(in), to, carried, false));
   warnings.insert(warnings.end(), failed.begin(), failed.end());
   return warnings;
+}
+
+// Writes the mesh and what goes beside it. Gives warnings. If it fails, the material file of the output goes again: the
+// next try would want --overwrite for it. What was carried stays, as another output in the folder may name it by now.
+absl::StatusOr<std::vector<std::string>> WriteOutput(const std::string& in, const std::string& out,
+                                                     const FilledMesh& filled) {
+  const std::string library = absl::StrCat(FolderOf(out), "/", LibraryFor(out));
+  std::error_code error;
+  const bool makes_library =
+      !filled.materials.empty() && !std::filesystem::exists(std::filesystem::symlink_status(library, error));
+  auto warnings = WriteFilesBeside(in, out, filled);
+  const absl::Status status = warnings.ok() ? WriteFileAtomically(out, filled.bytes) : warnings.status();
+  if (status.ok()) return warnings;
+  if (makes_library) RemoveFile(library).IgnoreError();
+  return status;
 }
 
 absl::Status CheckPaths(const std::string& in, const std::string& out, bool overwrite) {
@@ -203,10 +219,9 @@ int FillCommand(const Args& args) {
   Stopwatch watch;
   // Somebody else may have written there since.
   if (const absl::Status status = CheckPaths(in, out, overwrite); !status.ok()) return PrintError(status);
-  auto warnings = WriteFilesBeside(in, out, *filled);
+  const auto warnings = WriteOutput(in, out, *filled);
   if (!warnings.ok()) return PrintError(warnings.status());
   filled->report.warnings.insert(filled->report.warnings.end(), warnings->begin(), warnings->end());
-  if (const absl::Status status = WriteFileAtomically(out, filled->bytes); !status.ok()) return PrintError(status);
   filled->report.seconds.emplace_back("write", watch.Lap());
   filled->report.options = ReportedOptions(*spec, kOfFill);
   return PrintEnd(filled->report, out, *format);

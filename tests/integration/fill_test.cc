@@ -199,6 +199,22 @@ TEST(FillMaterialsTest, ALibraryOfTheMeshStaysInTheOneOfItsName) {
   EXPECT_EQ(*ReadFile(folder / "in/a_tilemend.mtl"), "newmtl grass\nKd 0 1 0\n");
 }
 
+TEST(FillMaterialsTest, AFillThatCannotWriteTheMeshLeavesNoLibrary) {
+  const TemporaryFolder folder, logs;
+  const std::string in = folder.Write("in/a.obj", Text(SheetWithAHole(), MeshFormat::kObj));
+  const std::string fill = absl::StrCat(TILEMEND_CLIENT, " fill ", in, " --out ", folder / "out/a.obj");
+  // Room for the material file, not for the mesh.
+  const Ended full = Process(logs.path(), "/bin/sh", {"-c", absl::StrCat("ulimit -f 4; exec ", fill)}).Wait();
+  EXPECT_GT(full.code, 0) << full.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  folder.Write("out/a_tilemend.mtl", "mine");
+  EXPECT_EQ(Process(logs.path(), "/bin/sh", {"-c", fill}).Wait().code, 4);
+  EXPECT_EQ(*ReadFile(folder / "out/a_tilemend.mtl"), "mine");
+  std::filesystem::remove_all(folder / "out");
+  const Ended ended = Process(logs.path(), "/bin/sh", {"-c", fill}).Wait();
+  EXPECT_EQ(ended.code, 0) << ended.err;
+}
+
 // A sheet in two halves, 0.01 apart; the right one has two vertices for one along the seam, and a hole.
 TriMesh SheetWithACrack() {
   TriMesh mesh = SquaresMesh(0, 4, 0, 8, [](int32_t, int32_t) { return true; });
