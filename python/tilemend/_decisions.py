@@ -77,8 +77,8 @@ def _read(path: str) -> Dict[str, Any]:
         raise InvalidInput(f'{path}: is no file of holes of tilemend: expected an object with a list "features"')
     for number, feature in enumerate(features):
         if not _is_hole(feature):
-            raise InvalidInput(f'{path}: is no file of holes of tilemend: features[{number}] is no feature with a number '
-                               '"hole" among its properties')
+            raise InvalidInput(f'{path}: is no file of holes of tilemend: features[{number}] is no feature with a '
+                               'number "hole" among its properties')
     return dict(collection)
 
 
