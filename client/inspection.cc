@@ -15,7 +15,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "common/assemble/clear_tile.h"
-#include "common/mesh/height_tally.h"
+#include "common/mesh/height_tallies.h"
 #include "common/util/heap.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
@@ -49,7 +49,7 @@ std::string PathOf(const Scene& scene, const SceneTile& tile) {
 absl::StatusOr<Looked> Look(const Scene& scene, const MeasureWork& work) {
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(PathOf(scene, *work.tile), work.tile->frame));
   Looked looked;
-  for (const PlanePolygon& polygon : work.polygons) looked.tallies.push_back(TallyHeights(file.mesh, polygon));
+  looked.tallies = TallyHeightsIn(file.mesh, work.polygons);
   return looked;
 }
 

@@ -14,7 +14,7 @@
 #include "client/mesh/file_mesh.h"
 #include "client/mesh/single_mesh.h"
 #include "common/assemble/assemble.h"
-#include "common/mesh/height_tally.h"
+#include "common/mesh/height_tallies.h"
 #include "common/util/heap.h"
 #include "common/util/status_macros.h"
 #include "common/util/stopwatch.h"
@@ -133,7 +133,7 @@ class MeshFiller {
   absl::Status Do(const MeasureWork& work) {
     TILEMEND_ASSIGN_OR_RETURN(const TriMesh mesh, mesh_.Mesh());
     TileLevels levels{work.tile->cell, {}};
-    for (const PlanePolygon& polygon : work.polygons) levels.tallies.push_back(TallyHeights(mesh, polygon));
+    levels.tallies = TallyHeightsIn(mesh, work.polygons);
     return filled_.waves->Take(std::move(levels));
   }
 

@@ -1,8 +1,10 @@
 #include "common/mesh/clear_area.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "common/mesh/polygon_index.h"
+#include "common/mesh/polygon_tree.h"
 
 namespace tilemend {
 namespace {
@@ -27,14 +29,6 @@ double ShareInside(const TriMesh& mesh, const Triangle& t, const PolygonIndex& p
   return static_cast<double>(inside) / static_cast<double>(points.size());
 }
 
-bool Clears(const ClearArea& area, const PolygonIndex& polygon, const TriMesh& mesh, const Triangle& t) {
-  const Bounds box = BoundsOf(mesh, t);
-  if (box.hi.z() > area.top) return false;
-  const bool apart = (box.hi.head<2>().array() < polygon.lo().array()).any() ||
-                     (box.lo.head<2>().array() > polygon.hi().array()).any();
-  return !apart && ShareInside(mesh, t, polygon) > kClearedShare;
-}
-
 }  // namespace
 
 TrianglePoints PointsIn(const Point2& a, const Point2& b, const Point2& c) {
@@ -48,14 +42,20 @@ TrianglePoints PointsIn(const Point2& a, const Point2& b, const Point2& c) {
 }
 
 std::vector<int32_t> AreasThatClear(const TriMesh& mesh, std::span<const ClearArea> areas) {
-  std::vector<int32_t> cleared_by(mesh.triangles.size(), -1);
-  for (size_t a = 0; a < areas.size(); ++a) {
-    const PolygonIndex polygon(areas[a].polygon);
-    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
-      if (cleared_by[t] < 0 && Clears(areas[a], polygon, mesh, mesh.triangles[t])) {
-        cleared_by[t] = static_cast<int32_t>(a);
-      }
-    }
+  const PolygonTree tree(areas.size(), [&](size_t a) -> const PlanePolygon& { return areas[a].polygon; });
+  std::vector<PolygonIndex> indices;
+  indices.reserve(areas.size());
+  for (const ClearArea& area : areas) indices.emplace_back(area.polygon);
+  std::vector<int32_t> cleared_by;
+  cleared_by.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) {
+    const Bounds box = BoundsOf(mesh, t);
+    int32_t first = -1;
+    tree.ForMeeting(box.lo.head<2>(), box.hi.head<2>(), [&](int32_t a) {
+      const bool may_be_first = (first < 0 || a < first) && box.hi.z() <= areas[a].top;
+      if (may_be_first && ShareInside(mesh, t, indices[a]) > kClearedShare) first = a;
+    });
+    cleared_by.push_back(first);
   }
   return cleared_by;
 }

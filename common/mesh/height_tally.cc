@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/mesh/polygon_index.h"
+#include "common/mesh/height_tallies.h"
 
 namespace tilemend {
 namespace {
@@ -48,18 +48,7 @@ void HeightTally::Add(const HeightTally& other) {
 }
 
 HeightTally TallyHeights(const TriMesh& mesh, const PlanePolygon& polygon) {
-  const PolygonIndex index(polygon);
-  HeightTally tally;
-  for (const Triangle& t : mesh.triangles) {
-    const Point3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
-    const Point3 centroid = (a + b + c) / 3;
-    if (!index.Contains(centroid.head<2>())) continue;
-    const Point3 u = b - a, v = c - a;
-    const double area = std::abs(u.x() * v.y() - u.y() * v.x()) / 2;
-    const auto units = static_cast<int64_t>(std::llround(area / kAreaUnit));
-    if (units > 0) tally.area_of_bin[static_cast<int32_t>(std::floor(centroid.z() / kHeightBin))] += units;
-  }
-  return tally;
+  return TallyHeightsIn(mesh, {&polygon, 1}).front();
 }
 
 std::optional<double> HalfSampleMode(const HeightTally& tally) {

@@ -5,10 +5,11 @@
 #include <span>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/mesh_file.h"
-#include "common/mesh/height_tally.h"
+#include "common/mesh/height_tallies.h"
 #include "common/records/patch_heights.h"
 #include "common/rpc/clear_payloads.h"
 #include "common/rpc/stage_payloads.h"
@@ -129,10 +130,15 @@ absl::Status CheckOutput(const std::string& input_bytes, const v1::MeasureOutput
   if (!HasFileDigest(*bytes, output.digest())) return Changed(path);
   const auto file = MeshOf(input.tile(), *bytes, nullptr);
   if (!file.ok()) return Wrong("heights of a tile that cannot be read");
-  for (int i = 0; i < input.areas_size(); ++i) {
-    TILEMEND_ASSIGN_OR_RETURN(const ClearArea area, FromProto(input.areas(i)));
+  std::vector<PlanePolygon> polygons;
+  for (const v1::ClearArea& proto : input.areas()) {
+    TILEMEND_ASSIGN_OR_RETURN(ClearArea area, FromProto(proto));
+    polygons.push_back(std::move(area.polygon));
+  }
+  const std::vector<HeightTally> tallies = TallyHeightsIn(file->mesh, polygons);
+  for (int i = 0; i < output.tallies_size(); ++i) {
     TILEMEND_ASSIGN_OR_RETURN(const HeightTally told, FromProto(output.tallies(i)));
-    if (TallyHeights(file->mesh, area.polygon).area_of_bin != told.area_of_bin) return Wrong("heights of another tile");
+    if (tallies[i].area_of_bin != told.area_of_bin) return Wrong("heights of another tile");
   }
   return absl::OkStatus();
 }

@@ -1,13 +1,15 @@
 #include "worker/service/survey_stage.h"
 
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
 #include "absl/time/clock.h"
 #include "common/codec/mesh_file.h"
 #include "common/codec/text.h"
-#include "common/mesh/height_tally.h"
+#include "common/mesh/height_tallies.h"
 #include "common/rpc/clear_payloads.h"
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
@@ -89,10 +91,12 @@ absl::StatusOr<std::string> RunMeasure(const v1::MeasureInput& input, TaskMemory
   if (!file.ok()) return WithHint(file.status());
   v1::MeasureOutput output;
   output.set_digest(FileDigest(bytes));
+  std::vector<PlanePolygon> polygons;
   for (const v1::ClearArea& proto : input.areas()) {
-    TILEMEND_ASSIGN_OR_RETURN(const ClearArea area, FromProto(proto));
-    *output.add_tallies() = ToProto(TallyHeights(file->mesh, area.polygon));
+    TILEMEND_ASSIGN_OR_RETURN(ClearArea area, FromProto(proto));
+    polygons.push_back(std::move(area.polygon));
   }
+  for (const HeightTally& tally : TallyHeightsIn(file->mesh, polygons)) *output.add_tallies() = ToProto(tally);
   return output.SerializeAsString();
 }
 

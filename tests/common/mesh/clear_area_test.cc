@@ -43,6 +43,17 @@ TEST(ClearAreaTest, TheFirstOfSeveralAreasCounts) {
   EXPECT_THAT(AreasThatClear(mesh, std::vector<ClearArea>{{kSquare, 2}, {kSquare, 5}}), ElementsAre(0, 1));
 }
 
+TEST(ClearAreaTest, OfManyAreasTheFirstOverATriangleCounts) {
+  TriMesh mesh;
+  std::vector<ClearArea> areas(2000, {kSquare, 2});
+  for (int i = 0; i < 2000; ++i) {
+    for (Point2& p : areas[i].polygon.rings[0]) p.x() += 10 * (i / 2);
+  }
+  for (const int at : {1999, 700, 0, 5000}) Add(mesh, 10 * (at / 2) + 2, 2, 1, {1, 1, 1});
+  areas[700].top = 0.5;
+  EXPECT_THAT(AreasThatClear(mesh, areas), ElementsAre(1998, 701, 0, -1));
+}
+
 TEST(ClearAreaTest, UprightTrianglesAreInsideOrNot) {
   TriMesh mesh;
   mesh.points = {{3, 3, 0}, {4, 3, 0}, {3, 3, 1}, {13, 3, 0}, {14, 3, 0}, {13, 3, 1}};
