@@ -14,8 +14,10 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
 #include "common/gis/gdal_process.h"
+#include "common/gis/given_centrelines.h"
 #include "common/gis/vector_message.h"
 #include "common/grid/json_text.h"
+#include "common/mesh/polygon_index.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 
@@ -143,52 +145,14 @@ absl::StatusOr<VectorFile> Read(const VectorBytes& bytes, const std::string& nam
   return file;
 }
 
-ptrdiff_t PointsInside(const std::vector<Point2>& line, const WaterArea& area) {
-  return std::count_if(line.begin(), line.end(), [&](const Point2& p) { return Contains(area.polygon, p); });
-}
-
 // Takes a centreline away that is not of this water: coordinates in a property stay as they are where a program
 // transforms a layer to another CRS.
 void DropStrayCentreline(const std::string& name, WaterArea& area, WaterFile& file) {
-  if (area.centreline.empty() || 2 * PointsInside(area.centreline, area) > std::ssize(area.centreline)) return;
+  if (area.centreline.empty() || MostLiesIn(PolygonIndex(area.polygon), area.centreline)) return;
   area.centreline.clear();
   file.warnings.push_back(absl::StrCat(name, ": ", area.label,
                                        ": its property centreline lies outside its polygon, so it has no effect; "
                                        "it has to be in the coordinates of the file"));
-}
-
-// Gives a line to the area of water that most of its points are in. False: there is none.
-absl::StatusOr<bool> GiveCentreline(VectorFeature line, const std::string& name, WaterFile& file) {
-  WaterArea* best = nullptr;
-  ptrdiff_t most = 0;
-  for (WaterArea& area : file.areas) {
-    const ptrdiff_t inside = area.water ? PointsInside(line.line, area) : 0;
-    if (inside <= most) continue;
-    most = inside;
-    best = &area;
-  }
-  if (2 * most <= std::ssize(line.line)) return false;
-  if (!best->centreline.empty()) {
-    return absl::InvalidArgumentError(absl::StrCat(name, ": ", line.label, ": a second centreline of ", best->label));
-  }
-  best->centreline = std::move(line.line);
-  return true;
-}
-
-absl::Status GiveCentrelines(std::vector<VectorFeature> features, const std::string& name, WaterFile& file) {
-  std::string first;
-  int64_t stray = 0;
-  for (VectorFeature& f : features) {
-    if (f.line.empty()) continue;
-    const std::string label = f.label;
-    TILEMEND_ASSIGN_OR_RETURN(const bool given, GiveCentreline(std::move(f), name, file));
-    if (!given && ++stray == 1) first = label;
-  }
-  if (stray == 0) return absl::OkStatus();
-  const std::string more = stray > 1 ? absl::StrCat(" and ", stray - 1, " more") : "";
-  file.warnings.push_back(
-      absl::StrCat(name, ": ", first, more, ": a line that lies in no polygon of water, so it has no effect"));
-  return absl::OkStatus();
 }
 
 double LengthOf(const std::vector<Point2>& line) {
@@ -302,7 +266,7 @@ absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::st
     TILEMEND_RETURN_IF_ERROR(CheckKind(name, file.areas.back(), file));
   }
   if (read.features.empty()) file.warnings.push_back(absl::StrCat(name, ": holds no polygon, so it has no effect"));
-  TILEMEND_RETURN_IF_ERROR(GiveCentrelines(std::move(read.features), name, file));
+  TILEMEND_RETURN_IF_ERROR(GiveCentrelines(std::move(read.features), name, stop, file));
   for (WaterArea& area : file.areas) {
     DropIdleCentreline(name, area, file);
     if (area.clear) TILEMEND_RETURN_IF_ERROR(CheckClear(name, area, file.warnings));
