@@ -41,41 +41,34 @@ Clearing::Clearing(const std::vector<WaterArea>& areas, const Grid& grid, std::s
       asked.area_in_scene = HasCells(grid) ? AreaInCells(area.polygon, grid, cells) : AreaOf(area.polygon);
     if (!area.water) asked.top = kInfinity;
     if (area.water && area.level) asked.top = *area.level + area.clear_height;
-    asked.lo = Point2::Constant(kInfinity);
-    asked.hi = -asked.lo;
-    for (const std::vector<Point2>& ring : area.polygon.rings) {
-      for (const Point2& p : ring) {
-        asked.lo = asked.lo.cwiseMin(p);
-        asked.hi = asked.hi.cwiseMax(p);
-      }
-    }
     asked_.push_back(std::move(asked));
   }
+  where_ = PolygonTree(asked_.size(), [&](size_t i) -> const PlanePolygon& { return asked_[i].polygon; });
 }
 
-bool Clearing::Reaches(const Asked& asked, CellId cell) const {
-  if (!HasCells(grid_)) return true;
+std::vector<size_t> Clearing::InReach(CellId cell) const {
+  std::vector<size_t> numbers;
+  if (!HasCells(grid_)) {
+    for (size_t i = 0; i < asked_.size(); ++i) numbers.push_back(i);
+    return numbers;
+  }
   const Point2 low = grid_.corner + Point2(cell.col, cell.row).cwiseProduct(grid_.cell_size);
   const Point2 reach = kReachBeyondCell * grid_.cell_size;
-  return (asked.hi.array() >= (low - reach).array()).all() &&
-         (asked.lo.array() <= (low + grid_.cell_size + reach).array()).all();
+  const std::vector<int32_t> found = where_.Meeting(low - reach, low + grid_.cell_size + reach);
+  return {found.begin(), found.end()};
 }
 
 std::vector<size_t> Clearing::Measured(CellId cell) const {
-  std::vector<size_t> numbers;
-  for (size_t i = 0; i < asked_.size(); ++i) {
-    if (asked_[i].measured && Reaches(asked_[i], cell)) numbers.push_back(i);
-  }
+  std::vector<size_t> numbers = InReach(cell);
+  std::erase_if(numbers, [&](size_t i) { return !asked_[i].measured; });
   return numbers;
 }
 
 std::vector<size_t> Clearing::Cutting(CellId cell) const {
-  std::vector<size_t> numbers;
   const auto counted = counted_.find(cell);
-  if (counted != counted_.end() && !counted->second) return numbers;
-  for (size_t i = 0; i < asked_.size(); ++i) {
-    if (asked_[i].top && Reaches(asked_[i], cell)) numbers.push_back(i);
-  }
+  if (counted != counted_.end() && !counted->second) return {};
+  std::vector<size_t> numbers = InReach(cell);
+  std::erase_if(numbers, [&](size_t i) { return !asked_[i].top; });
   return numbers;
 }
 

@@ -14,6 +14,7 @@
 #include "common/grid/water_areas.h"
 #include "common/mesh/clear_area.h"
 #include "common/mesh/height_tally.h"
+#include "common/mesh/polygon_tree.h"
 
 namespace tilemend {
 
@@ -28,8 +29,8 @@ struct ClearedArea {
 // First the tiles in reach of areas of water without a level are measured (Polygons, TakeTallies). Then Settle gives
 // each such area one level, the same for all tiles: the half-sample mode of the heights in it. An area that is mostly
 // open in the cells of the scene gets none; what is taken out there is up to its clear_height above the mode of the
-// lower half. From then on Areas says what is taken out of a tile. Pure. Not thread-safe. Cost O(areas) a tile, and the
-// tallies until Settle.
+// lower half. From then on Areas says what is taken out of a tile. Pure. Not thread-safe. Cost of a tile: O(log areas),
+// the areas in its reach, and the tallies until Settle.
 class Clearing {
  public:
   // Without areas nothing is taken out.
@@ -68,19 +69,20 @@ class Clearing {
     double clear_height = 0;
     PlanePolygon polygon;
     double area_in_scene = 0;  // m2 of the polygon, if it is measured
-    Point2 lo, hi;
     HeightTally heights;
     std::optional<double> top;  // infinite where everything goes
     std::map<CellId, int64_t> triangles_of;
   };
 
-  bool Reaches(const Asked& asked, CellId cell) const;
-  // Numbers in asked_.
+  // Numbers in asked_, rising: of those whose bounds reach the tile of a cell, and of those among them that are
+  // measured there, or cut.
+  std::vector<size_t> InReach(CellId cell) const;
   std::vector<size_t> Measured(CellId cell) const;
   std::vector<size_t> Cutting(CellId cell) const;
 
   Grid grid_;
   std::vector<Asked> asked_;
+  PolygonTree where_;               // they are
   std::map<CellId, bool> counted_;  // whether anything was taken out
 };
 
