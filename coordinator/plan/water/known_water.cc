@@ -71,13 +71,14 @@ void AddKnownWater(const KnownWater& more, KnownWater& known) {
 
 std::vector<WaterBody> PartsOfKnown(const KnownWater& known, const std::vector<bool>& is_water, const Plan& plan) {
   std::vector<WaterBody> parts;
+  std::vector<std::vector<int32_t>> holes_of(known.bodies.size());
+  for (size_t h = 0; h < known.body_of.size(); ++h) {
+    if (known.body_of[h] >= 0 && !is_water[h]) holes_of[known.body_of[h]].push_back(static_cast<int32_t>(h));
+  }
   for (size_t b = 0; b < known.bodies.size(); ++b) {
+    if (holes_of[b].empty()) continue;
     WaterBody part = known.bodies[b];
-    part.holes.clear();
-    for (size_t h = 0; h < known.body_of.size(); ++h) {
-      if (known.body_of[h] == static_cast<int32_t>(b) && !is_water[h]) part.holes.push_back(static_cast<int32_t>(h));
-    }
-    if (part.holes.empty()) continue;
+    part.holes = std::move(holes_of[b]);
     if (!part.river.stations.empty()) KeepBeside(plan, part);
     parts.push_back(std::move(part));
   }
