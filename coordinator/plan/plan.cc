@@ -298,7 +298,7 @@ Plan PlanHoles(const PlanInput& input, const PlanOptions& options, const TileLay
   Plan plan = input.has_grid ? PlanGrid(input, options, layout) : PlanMesh(input, options);
   plan.has_polygon = !input.area.empty();
   StoreLayers(plan);
-  DecideHoles(options.water.areas, plan);
+  DecideHoles(options.water.areas, plan, options.is_cancelled);
   LeaveFailedHoles(plan);
   return plan;
 }
@@ -307,7 +307,7 @@ Plan PlanHoles(const PlanInput& input, const PlanOptions& options, const TileLay
 void TellWater(const PlanInput& input, const PlanOptions& options, const KnownWater& known, Plan& plan) {
   FindRimSlopes(plan);
   if (!options.cancelled()) MarkObjects(plan);
-  if (!options.cancelled()) FindWater(input, options.water, known, plan);
+  if (!options.cancelled()) FindWater(input, options.water, known, plan, options.is_cancelled);
   if (known.bodies.empty() || options.cancelled()) return;
   StoreLayers(plan);
   FindRimSlopes(plan);
@@ -351,12 +351,13 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   if (!options.cancelled()) TellWater(input, options, WaterOfScene(input, options, layout, plan), plan);
   if (!options.cancelled()) LeaveWithoutHeight(plan);
   layout.joint.reset();  // large
-  if (!options.cancelled()) MarkClearedShores(options.water.areas, plan);
+  if (!options.cancelled()) MarkClearedShores(options.water.areas, plan, options.is_cancelled);
   if (!options.cancelled()) LayWallFeet(plan);
   if (!options.cancelled()) LayStripEdges(layout.lines, plan);
   if (options.cancelled()) return {};
-  if (input.has_grid) LeaveClearedCells(input.grid, options.water.areas, plan);
-  AnswerWaterAreas(options.water, plan, BoundsOfCells(input));
+  if (input.has_grid) LeaveClearedCells(input.grid, options.water.areas, plan, options.is_cancelled);
+  AnswerWaterAreas(options.water, plan, BoundsOfCells(input), options.is_cancelled);
+  if (options.cancelled()) return {};
   DropUnusedVertices(plan);
   return plan;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -11,6 +13,7 @@ namespace {
 
 constexpr int kLines = 128;
 constexpr double kSameLevel = 0.01;  // metres between levels that were given
+constexpr double kRounding = 1e-9;   // a share of more areas is less by rounding alone, and by less than this
 
 struct Bounds {
   Point2 lo = Point2::Constant(std::numeric_limits<double>::infinity());
@@ -75,15 +78,108 @@ std::vector<double> UnionOf(std::vector<std::pair<double, double>> parts) {
   return ends;
 }
 
+// What an area says but for its level: areas of which it differs say different things.
+using Saying = std::tuple<bool, ReviewDecision, WaterKind, bool, bool>;
+Saying SayingOf(const WaterArea& area) {
+  return {area.water, area.decision, area.kind, area.clear, area.level.has_value()};
+}
+
+double LevelOf(const WaterArea& area) { return area.level.value_or(0); }
+
+// How far the level of an area may be from that of another with a smaller tolerance.
+double ToleranceOf(const WaterArea& area) {
+  return area.level ? std::max(kSameLevel, area.level_sigma.value_or(0)) : 0;
+}
+
+bool CoversMore(const AreaShare& a, const AreaShare& b) {
+  return a.share > b.share || (a.share == b.share && a.area < b.area);
+}
+
+// That which covers most; not of none.
+AreaShare MostOf(std::span<const AreaShare> shares) {
+  return *std::ranges::min_element(shares, CoversMore);  // the first in that order
+}
+
+// Finds, among areas none of which decides alone, the one that covers most of those that do so with what says the same.
+class JointDecision {
+ public:
+  JointDecision(const CoverLines& region, std::span<const WaterArea> areas, const IsCancelled& is_cancelled)
+      : region_(region), areas_(areas), is_cancelled_(is_cancelled) {}
+
+  std::optional<DecidingArea> Find(std::span<const AreaShare> shares) {
+    std::map<Saying, std::vector<AreaShare>> members_of;
+    for (const AreaShare& s : shares) {
+      if (areas_[s.area].centreline.empty()) members_of[SayingOf(areas_[s.area])].push_back(s);
+    }
+    for (const auto& [saying, members] : members_of) {
+      std::vector<AreaShare> by_level = members;
+      std::ranges::stable_sort(by_level, {}, [&](const AreaShare& s) { return LevelOf(areas_[s.area]); });
+      Search(by_level, members);
+    }
+    return most_;
+  }
+
+ private:
+  // Looks at candidates, which are in order of level. All that says the same as one of them is in `members`, in order.
+  void Search(std::span<const AreaShare> candidates, std::span<const AreaShare> members) {
+    const AreaShare best = MostOf(candidates);
+    if ((is_cancelled_ && is_cancelled_()) || (most_ && !CoversMore(best, share_of_most_))) return;
+    const std::vector<AreaShare> same = SayingTheSameAsAny(candidates, members);
+    double sum = 0;
+    for (const AreaShare& s : same) sum += s.share;
+    if (sum <= kDecidingShare) return;
+    std::vector<const WaterArea*> of_same;
+    for (const AreaShare& s : same) of_same.push_back(&areas_[s.area]);
+    const double share = region_.ShareIn(of_same, is_cancelled_);
+    if (candidates.size() == 1 || AllSayTheSame(candidates, same)) {
+      if (share <= kDecidingShare) return;
+      most_ = DecidingArea{best.area, share, true};
+      share_of_most_ = best;
+      return;
+    }
+    if (share < kDecidingShare - kRounding) return;  // each covers less with its own
+    auto first = candidates.first(candidates.size() / 2), second = candidates.subspan(candidates.size() / 2);
+    if (CoversMore(MostOf(second), MostOf(first))) std::swap(first, second);
+    Search(first, same);
+    Search(second, same);
+  }
+
+  // Those whose level is near enough to the span of levels of the candidates. Exact for one candidate; of several it
+  // may be more than say the same as any.
+  std::vector<AreaShare> SayingTheSameAsAny(std::span<const AreaShare> candidates,
+                                            std::span<const AreaShare> members) const {
+    const double low = LevelOf(areas_[candidates.front().area]), high = LevelOf(areas_[candidates.back().area]);
+    double tolerance = 0;
+    for (const AreaShare& s : candidates) tolerance = std::max(tolerance, ToleranceOf(areas_[s.area]));
+    std::vector<AreaShare> same;
+    for (const AreaShare& s : members) {
+      const WaterArea& area = areas_[s.area];
+      const double off = std::max(LevelOf(area) - high, low - LevelOf(area));
+      if (off <= std::max(tolerance, ToleranceOf(area))) same.push_back(s);
+    }
+    return same;
+  }
+
+  // Whether each candidate surely says the same as each of `same`.
+  bool AllSayTheSame(std::span<const AreaShare> candidates, std::span<const AreaShare> same) const {
+    const auto level = [&](const AreaShare& s) { return LevelOf(areas_[s.area]); };
+    const auto [low, high] = std::ranges::minmax(same, {}, level);
+    const double span = level(high) - level(low);
+    return std::ranges::all_of(candidates, [&](const AreaShare& s) { return span <= ToleranceOf(areas_[s.area]); });
+  }
+
+  const CoverLines& region_;
+  std::span<const WaterArea> areas_;
+  const IsCancelled& is_cancelled_;
+  std::optional<DecidingArea> most_;
+  AreaShare share_of_most_;
+};
+
 }  // namespace
 
 bool SayTheSame(const WaterArea& a, const WaterArea& b) {
-  if (a.water != b.water || a.decision != b.decision || a.kind != b.kind || a.clear != b.clear ||
-      a.level.has_value() != b.level.has_value())
-    return false;
-  if (!a.centreline.empty() || !b.centreline.empty()) return false;
-  if (!a.level) return true;
-  return std::abs(*a.level - *b.level) <= std::max({kSameLevel, a.level_sigma.value_or(0), b.level_sigma.value_or(0)});
+  if (SayingOf(a) != SayingOf(b) || !a.centreline.empty() || !b.centreline.empty()) return false;
+  return std::abs(LevelOf(a) - LevelOf(b)) <= std::max(ToleranceOf(a), ToleranceOf(b));
 }
 
 CoverLines::CoverLines(std::span<const PlaneSegment> boundary) {
@@ -122,12 +218,23 @@ double CoverLines::ShareIn(std::span<const PlaneSegment> outline) const {
   return length_ > 0 ? common / length_ : 0;
 }
 
-double CoverLines::ShareIn(std::span<const WaterArea* const> areas) const {
+double CoverLines::ShareIn(std::span<const WaterArea* const> areas, const IsCancelled& is_cancelled) const {
+  struct Outline {
+    std::vector<PlaneSegment> segments;
+    Bounds box;
+  };
+  std::vector<Outline> outlines;
+  for (const WaterArea* area : areas) {
+    outlines.push_back({SegmentsOf(*area), {}});
+    outlines.back().box = BoundsOf(outlines.back().segments);
+  }
   double common = 0;
   for (const Line& line : lines_) {
+    if (is_cancelled && is_cancelled()) return 0;
     std::vector<std::pair<double, double>> parts;
-    for (const WaterArea* area : areas) {
-      const std::vector<double> at = Crossings(SegmentsOf(*area), line.y);
+    for (const Outline& outline : outlines) {
+      if (line.y < outline.box.lo.y() || line.y > outline.box.hi.y()) continue;
+      const std::vector<double> at = Crossings(outline.segments, line.y);
       for (size_t i = 0; i + 1 < at.size(); i += 2) parts.emplace_back(at[i], at[i + 1]);
     }
     common += CommonLength(line.inside, UnionOf(std::move(parts)));
@@ -135,26 +242,12 @@ double CoverLines::ShareIn(std::span<const WaterArea* const> areas) const {
   return length_ > 0 ? common / length_ : 0;
 }
 
-std::optional<DecidingArea> FindDecidingArea(const CoverLines& region, std::span<const double> shares,
-                                             std::span<const WaterArea> areas) {
-  for (size_t a = shares.size(); a-- > 0;) {
-    if (shares[a] > kDecidingShare) return DecidingArea{a, shares[a], false};
+std::optional<DecidingArea> FindDecidingArea(const CoverLines& region, std::span<const AreaShare> shares,
+                                             std::span<const WaterArea> areas, const IsCancelled& is_cancelled) {
+  for (size_t i = shares.size(); i-- > 0;) {
+    if (shares[i].share > kDecidingShare) return DecidingArea{shares[i].area, shares[i].share, false};
   }
-  std::optional<DecidingArea> most;
-  for (size_t a = 0; a < shares.size(); ++a) {
-    if (shares[a] <= 0 || (most && shares[a] <= shares[most->area])) continue;
-    std::vector<const WaterArea*> same;
-    double sum = 0;
-    for (size_t b = 0; b < shares.size(); ++b) {
-      if (shares[b] <= 0 || !SayTheSame(areas[a], areas[b])) continue;
-      same.push_back(&areas[b]);
-      sum += shares[b];
-    }
-    if (sum <= kDecidingShare) continue;
-    const double share = region.ShareIn(same);
-    if (share > kDecidingShare) most = DecidingArea{a, share, true};
-  }
-  return most;
+  return JointDecision(region, areas, is_cancelled).Find(shares);
 }
 
 }  // namespace tilemend

@@ -2,26 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <map>
+#include <set>
+#include <utility>
 
 #include "common/records/flat_water.h"
-#include "coordinator/plan/water/area_cover.h"
+#include "coordinator/plan/water/area_index.h"
 #include "coordinator/plan/water/hole_groups.h"
 
 namespace tilemend {
 namespace {
 
 constexpr double kIsCovered = 0.01;  // share of a cell, as that of squares that --area makes cells
+constexpr char kNothingToFill[] = " took surface out of it, and no hole was found to fill; draw the polygon otherwise";
 
 // Decisions of a reviewer change no shore.
-bool IsCleared(const WaterBody& body, const std::vector<WaterArea>& areas, const Plan& plan) {
+bool IsCleared(const WaterBody& body, const std::vector<WaterArea>& areas, const AreaIndex& index, const Plan& plan) {
   const CoverLines region(BoundaryOf(plan, body.holes));
-  std::vector<double> shares;
-  for (const WaterArea& area : areas) {
-    shares.push_back(area.decision == ReviewDecision::kNone ? region.ShareIn(area) : 0);
-  }
-  const auto deciding = FindDecidingArea(region, shares, areas);
+  const auto is_of_water = [](const WaterArea& area) { return area.decision == ReviewDecision::kNone; };
+  const auto deciding = index.DeciderOf(region, index.SharesOf(region, is_of_water));
   return deciding && areas[deciding->area].clear;
 }
 
@@ -40,29 +40,48 @@ CoverLines LinesOf(const Grid& grid, CellId cell) {
   return CoverLines(sides);
 }
 
-bool LiesOverHole(const WaterArea& area, const std::vector<int32_t>& holes, const Plan& plan) {
-  return std::ranges::any_of(holes, [&](int32_t h) { return CoverLines(BoundaryOf(plan, {h})).ShareIn(area) > 0; });
+bool HasCleared(const WaterArea& area) { return !area.cleared_cells.empty(); }
+
+using CellOfArea = std::pair<size_t, CellId>;
+
+// The cells that areas took surface out of and cover some hole of.
+std::set<CellOfArea> CellsWithHolesUnder(const std::vector<WaterArea>& areas, const AreaIndex& index,
+                                         const Plan& plan) {
+  std::set<CellId> cells;
+  for (const WaterArea& area : areas) cells.insert(area.cleared_cells.begin(), area.cleared_cells.end());
+  std::set<CellOfArea> found;
+  for (size_t h = 0; h < plan.holes.size(); ++h) {
+    const CellId cell = plan.holes[h].cell;
+    if (index.cancelled()) break;
+    if (!cells.contains(cell)) continue;
+    const CoverLines region(BoundaryOf(plan, {static_cast<int32_t>(h)}));
+    for (const AreaShare& s : index.SharesOf(region, HasCleared)) found.emplace(s.area, cell);
+  }
+  return found;
 }
 
 }  // namespace
 
-void LeaveClearedCells(const Grid& grid, const std::vector<WaterArea>& areas, Plan& plan) {
-  if (std::ranges::all_of(areas, [](const WaterArea& area) { return area.cleared_cells.empty(); })) return;
-  std::map<CellId, std::vector<int32_t>> holes_of;
-  for (size_t h = 0; h < plan.holes.size(); ++h) holes_of[plan.holes[h].cell].push_back(static_cast<int32_t>(h));
-  for (const WaterArea& area : areas) {
-    for (const CellId cell : area.cleared_cells) {
-      if (LinesOf(grid, cell).ShareIn(area) <= kIsCovered || LiesOverHole(area, holes_of[cell], plan)) continue;
-      plan.left.push_back(
-          {cell, area.label + " took surface out of it, and no hole was found to fill; draw the polygon otherwise"});
+void LeaveClearedCells(const Grid& grid, const std::vector<WaterArea>& areas, Plan& plan,
+                       const std::function<bool()>& is_cancelled) {
+  if (std::ranges::none_of(areas, HasCleared)) return;
+  const AreaIndex index(areas, is_cancelled);
+  const std::set<CellOfArea> has_hole = CellsWithHolesUnder(areas, index, plan);
+  for (size_t a = 0; a < areas.size(); ++a) {
+    for (const CellId cell : areas[a].cleared_cells) {
+      if (index.cancelled()) return;
+      if (has_hole.contains({a, cell}) || LinesOf(grid, cell).ShareIn(areas[a]) <= kIsCovered) continue;
+      plan.left.push_back({cell, areas[a].label + kNothingToFill});
     }
   }
 }
 
-void MarkClearedShores(const std::vector<WaterArea>& areas, Plan& plan) {
+void MarkClearedShores(const std::vector<WaterArea>& areas, Plan& plan, const std::function<bool()>& is_cancelled) {
   if (std::none_of(areas.begin(), areas.end(), [](const WaterArea& area) { return area.clear; })) return;
+  const AreaIndex index(areas, is_cancelled);
   for (const WaterBody& body : plan.water) {
-    if (IsCleared(body, areas, plan)) MarkShore(body, plan);
+    if (index.cancelled()) return;
+    if (IsCleared(body, areas, index, plan)) MarkShore(body, plan);
   }
 }
 

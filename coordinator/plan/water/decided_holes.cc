@@ -1,10 +1,9 @@
 #include "coordinator/plan/water/decided_holes.h"
 
 #include <algorithm>
-#include <cstddef>
 
 #include "coordinator/plan/types/left_reasons.h"
-#include "coordinator/plan/water/area_cover.h"
+#include "coordinator/plan/water/area_index.h"
 #include "coordinator/plan/water/hole_groups.h"
 
 namespace tilemend {
@@ -14,15 +13,13 @@ bool IsDecision(const WaterArea& area) { return area.decision != ReviewDecision:
 
 }  // namespace
 
-void DecideHoles(const std::vector<WaterArea>& areas, Plan& plan) {
+void DecideHoles(const std::vector<WaterArea>& areas, Plan& plan, const std::function<bool()>& is_cancelled) {
   if (std::ranges::none_of(areas, IsDecision)) return;
+  const AreaIndex index(areas, is_cancelled);
   for (const std::vector<int32_t>& holes : GroupAllHoles(plan)) {
+    if (index.cancelled()) return;
     const CoverLines region(BoundaryOf(plan, holes));
-    std::vector<double> shares(areas.size(), 0);
-    for (size_t a = 0; a < areas.size(); ++a) {
-      if (IsDecision(areas[a])) shares[a] = region.ShareIn(areas[a]);
-    }
-    const auto deciding = FindDecidingArea(region, shares, areas);
+    const auto deciding = index.DeciderOf(region, index.SharesOf(region, IsDecision));
     if (!deciding) continue;
     for (const int32_t h : holes) {
       PlannedHole& hole = plan.holes[h];

@@ -2,6 +2,8 @@
 #ifndef TILEMEND_COORDINATOR_PLAN_WATER_DECIDED_HOLES_H_
 #define TILEMEND_COORDINATOR_PLAN_WATER_DECIDED_HOLES_H_
 
+#include <functional>
+
 #include "coordinator/plan/types/plan_types.h"
 
 namespace tilemend {
@@ -9,8 +11,8 @@ namespace tilemend {
 // Sets Plan::decisions, by WaterAreas with a decision. The last one that covers more than half of a cluster of open
 // holes, or of a closed hole, decides on it; where none does, those that say the same may together (FindDecidingArea).
 // Holes whose decision is kOpen get the failure kLeftByDecision, unless they have one. To be called when clusters are
-// known and before water is found. Cost O(decisions * groups), and as CoverLines where they meet.
-void DecideHoles(const std::vector<WaterArea>& areas, Plan& plan);
+// known and before water is found. Once cancelled it ends soon. Cost as AreaIndex for each group.
+void DecideHoles(const std::vector<WaterArea>& areas, Plan& plan, const std::function<bool()>& is_cancelled = {});
 
 }  // namespace tilemend
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "coordinator/plan/water/area_cover.h"
+#include "coordinator/plan/water/area_index.h"
 #include "coordinator/plan/water/basins.h"
 #include "coordinator/plan/water/given_water.h"
 #include "coordinator/plan/water/hole_groups.h"
@@ -38,28 +38,37 @@ struct Group {
   bool is_known = false;  // the scene as a whole says what of it is water
 };
 
-// Whether a whole rim stands higher than the surface that the area takes out, as on a bridge over cleared water.
-bool LiesAbove(const Plan& plan, const std::vector<int32_t>& holes, const WaterArea& area) {
+// Whether a whole rim, of which `lowest` is known, stands higher than the surface that the area takes out, as on a
+// bridge over cleared water.
+bool LiesAbove(std::optional<double> lowest, const WaterArea& area) {
   if (!area.clear || !area.water || !area.level) return false;
-  const std::vector<int32_t> rim = RimVerticesOf(plan, holes);
   const double top = *area.level + area.clear_height;
-  return !rim.empty() && std::ranges::all_of(rim, [&](int32_t v) { return plan.vertices[v].position.z() > top; });
+  return lowest && *lowest > top;
+}
+
+// Of the original vertices on a rim; none: there are none.
+std::optional<double> LowestOnRim(const Plan& plan, const std::vector<int32_t>& holes) {
+  std::optional<double> lowest;
+  for (const int32_t v : RimVerticesOf(plan, holes)) {
+    const double z = plan.vertices[v].position.z();
+    lowest = std::min(lowest.value_or(z), z);
+  }
+  return lowest;
 }
 
 std::optional<size_t> DeciderOf(const Plan& plan, const std::vector<int32_t>& holes,
-                                const std::vector<WaterArea>& areas) {
+                                const std::vector<WaterArea>& areas, const AreaIndex& index) {
   if (areas.empty()) return std::nullopt;
-  const CoverLines region(BoundaryOf(plan, holes));
   const auto decision = plan.decisions.find(holes.front());
   if (decision != plan.decisions.end() && areas[decision->second].decision != ReviewDecision::kAccept)
     return decision->second;
-  std::vector<double> shares(areas.size(), 0);
-  for (size_t a = 0; a < areas.size(); ++a) {
-    if (areas[a].decision != ReviewDecision::kNone) continue;
-    const double share = region.ShareIn(areas[a]);
-    if (share > 0 && !LiesAbove(plan, holes, areas[a])) shares[a] = share;
-  }
-  const auto deciding = FindDecidingArea(region, shares, areas);
+  const CoverLines region(BoundaryOf(plan, holes));
+  const auto is_of_water = [](const WaterArea& area) { return area.decision == ReviewDecision::kNone; };
+  std::vector<AreaShare> shares = index.SharesOf(region, is_of_water);
+  if (shares.empty()) return std::nullopt;
+  const std::optional<double> lowest = LowestOnRim(plan, holes);
+  std::erase_if(shares, [&](const AreaShare& s) { return LiesAbove(lowest, areas[s.area]); });
+  const auto deciding = index.DeciderOf(region, shares);
   return deciding ? std::optional<size_t>(deciding->area) : std::nullopt;
 }
 
@@ -88,6 +97,12 @@ Shore ShoreOf(const Basin& basin) {
   return shore;
 }
 
+std::vector<double> LowerSharesOf(const std::vector<Basin>& basins, const Plan& plan, const PlanInput& input) {
+  std::vector<Shore> shores;
+  for (const Basin& basin : basins) shores.push_back(basin.is_level() ? ShoreOf(basin) : Shore());
+  return LowerShares(plan, input, shores);
+}
+
 // What stands so high above the water stands beside or over it: a quay, a pier, a bridge.
 void MarkWalls(const WaterBody& body, Plan& plan) {
   ForRimAboveWater(body, plan, [](PlanVertex& vertex, double above) {
@@ -97,13 +112,15 @@ void MarkWalls(const WaterBody& body, Plan& plan) {
 
 class WaterFinder {
  public:
-  WaterFinder(const PlanInput& input, const WaterOptions& options, KnownWater known, Plan& plan)
-      : input_(input), options_(options), known_(std::move(known)), plan_(plan) {}
+  WaterFinder(const PlanInput& input, const WaterOptions& options, KnownWater known, Plan& plan,
+              const IsCancelled& is_cancelled)
+      : input_(input), options_(options), known_(std::move(known)), plan_(plan), index_(options.areas, is_cancelled) {}
 
   void Run() {
     CollectGroups();
     FindGiven();
     if (options_.find) FindByEvidence();
+    if (index_.cancelled()) return;
     AddKnown();
     std::ranges::sort(bodies_, {}, [](const WaterBody& body) { return body.holes.front(); });
     for (WaterBody& body : bodies_) StoreBody(std::move(body));
@@ -114,7 +131,8 @@ class WaterFinder {
  private:
   void CollectGroups() {
     for (std::vector<int32_t>& holes : GroupHoles(plan_)) {
-      const std::optional<size_t> decider = DeciderOf(plan_, holes, options_.areas);
+      if (index_.cancelled()) return;
+      const std::optional<size_t> decider = DeciderOf(plan_, holes, options_.areas, index_);
       const WaterArea* area = decider ? &options_.areas[*decider] : nullptr;
       if (area != nullptr && (!area->water || area->level)) known_.Forget(holes);
       const auto rest = std::stable_partition(holes.begin(), holes.end(), [&](int32_t h) { return known_.IsPart(h); });
@@ -164,6 +182,7 @@ class WaterFinder {
       if (area && options_.areas[*area].water) groups_of[*area].push_back(g);
     }
     for (const auto& [area, groups] : groups_of) {
+      if (index_.cancelled()) return;
       std::vector<GivenPart> parts;
       for (const size_t g : groups) {
         std::vector<RimChain> rim = RimChainsOf(plan_, groups_[g].holes);
@@ -180,6 +199,7 @@ class WaterFinder {
   void FindByEvidence() {
     std::vector<Basin> basins;
     for (size_t g = 0; g < groups_.size(); ++g) {
+      if (index_.cancelled()) return;
       if (groups_[g].is_judged) AddBasin(g, basins);
     }
     std::vector<Eigen::AlignedBox2d> level;
@@ -187,13 +207,15 @@ class WaterFinder {
       if (basin.is_level()) level.push_back(SurroundingsOf(basin.outlines[0], basin.Width()));
     }
     for (size_t g = 0; g < groups_.size(); ++g) {
+      if (index_.cancelled()) return;
       if (groups_[g].is_judged || groups_[g].holes.empty()) continue;
       const Eigen::AlignedBox2d box = SurroundingsOf(BoundaryOf(plan_, groups_[g].holes), std::sqrt(groups_[g].area));
       const auto meets = [&](const Eigen::AlignedBox2d& other) { return other.intersects(box); };
       if (std::ranges::any_of(level, meets)) AddBasin(g, basins);
     }
+    if (index_.cancelled()) return;
     // What is level and has lower surface around it, as a yard behind a dyke, joins no water.
-    const std::vector<double> alone = LowerSharesOf(basins);
+    const std::vector<double> alone = LowerSharesOf(basins, plan_, input_);
     std::vector<Basin> apart, others;
     for (size_t b = 0; b < basins.size(); ++b) {
       const bool is_apart = basins[b].is_level() && alone[b] > kMaxLowerShare;
@@ -201,14 +223,8 @@ class WaterFinder {
     }
     basins = JoinBasins(std::move(others), options_.profile.least_river);
     std::ranges::move(apart, std::back_inserter(basins));
-    const std::vector<double> lower = LowerSharesOf(basins);
+    const std::vector<double> lower = LowerSharesOf(basins, plan_, input_);
     for (size_t b = 0; b < basins.size(); ++b) Decide(basins[b], lower[b]);
-  }
-
-  std::vector<double> LowerSharesOf(const std::vector<Basin>& basins) const {
-    std::vector<Shore> shores;
-    for (const Basin& basin : basins) shores.push_back(basin.is_level() ? ShoreOf(basin) : Shore());
-    return LowerShares(plan_, input_, shores);
   }
 
   void AddBasin(size_t g, std::vector<Basin>& basins) {
@@ -284,14 +300,16 @@ class WaterFinder {
   const WaterOptions& options_;
   KnownWater known_;
   Plan& plan_;
+  const AreaIndex index_;  // of options_.areas
   std::vector<Group> groups_;
   std::vector<WaterBody> bodies_;
 };
 
 }  // namespace
 
-void FindWater(const PlanInput& input, const WaterOptions& options, KnownWater known, Plan& plan) {
-  WaterFinder(input, options, std::move(known), plan).Run();
+void FindWater(const PlanInput& input, const WaterOptions& options, KnownWater known, Plan& plan,
+               const std::function<bool()>& is_cancelled) {
+  WaterFinder(input, options, std::move(known), plan, is_cancelled).Run();
 }
 
 void SettleWater(const Plan& plan, SeamHeights& heights) {

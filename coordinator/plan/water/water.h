@@ -2,6 +2,8 @@
 #ifndef TILEMEND_COORDINATOR_PLAN_WATER_WATER_H_
 #define TILEMEND_COORDINATOR_PLAN_WATER_WATER_H_
 
+#include <functional>
+
 #include "coordinator/plan/seam/seam_heights.h"
 #include "coordinator/plan/types/plan_types.h"
 #include "coordinator/plan/water/known_water.h"
@@ -27,8 +29,10 @@ namespace tilemend {
 // little of a shore. Exceptions are holes where an area forbids water or gives its level. The others of their group are
 // judged by themselves.
 //
-// Levels are rounded to the lattice. Cost as EvidenceOf, JoinBasins and LowerShares. Deterministic.
-void FindWater(const PlanInput& input, const WaterOptions& options, KnownWater known, Plan& plan);
+// Levels are rounded to the lattice. Once cancelled it ends soon, and the plan is not to be used. Cost as AreaIndex for
+// each group, EvidenceOf, JoinBasins and LowerShares. Deterministic.
+void FindWater(const PlanInput& input, const WaterOptions& options, KnownWater known, Plan& plan,
+               const std::function<bool()>& is_cancelled = {});
 
 // Gives the seam vertices of all that is filled flat their level.
 void SettleWater(const Plan& plan, SeamHeights& heights);

@@ -5,7 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "coordinator/plan/water/area_cover.h"
+#include "common/mesh/polygon_index.h"
+#include "coordinator/plan/water/area_index.h"
 #include "coordinator/plan/water/centreline.h"
 #include "coordinator/plan/water/given_line.h"
 #include "coordinator/plan/water/hole_groups.h"
@@ -17,7 +18,7 @@ namespace {
 // Metres: a given level farther from the shore's own may be a mistake.
 constexpr double kLevelOff = 1;
 constexpr double kSureLevel = 0.25;  // metres of sigma, as in the report's look_at
-constexpr double kStation = 25;      // metres: what is no longer is no reach of a river
+constexpr double kReach = 25;        // metres: what is no longer is no reach of a river
 constexpr double kAlong = 0.5;       // of a river's length: a centreline that runs along less may run across it
 constexpr int kParts = 64;           // of a piece of centreline: each is in the area or not
 constexpr char kMostlyOpen[] =
@@ -33,6 +34,7 @@ constexpr double kCovers = 0.9;  // share of what is made water by it that lies 
 struct Body {
   std::vector<int32_t> holes;
   std::vector<PlaneSegment> boundary;
+  double area = 0;          // m2
   int32_t decided_by = -1;  // FindDecidingArea
   bool together = false;    // with others that say the same,
   double share = 0;         // which cover so much of it
@@ -42,7 +44,9 @@ std::vector<Body> BodiesOf(const Plan& plan) {
   std::vector<Body> bodies;
   for (std::vector<int32_t>& holes : GroupAllHoles(plan)) {
     std::vector<PlaneSegment> boundary = BoundaryOf(plan, holes);
-    bodies.push_back({std::move(holes), std::move(boundary)});
+    double area = 0;
+    for (const int32_t h : holes) area += plan.holes[h].area;
+    bodies.push_back({std::move(holes), std::move(boundary), area});
   }
   return bodies;
 }
@@ -93,11 +97,12 @@ bool Meets(const PlanePolygon& polygon, const PlaneBounds& scene) {
 
 // How much of its centreline lies in an area.
 double LengthInside(const WaterArea& area) {
+  const PolygonIndex inside(area.polygon);
   double length = 0;
   for (size_t i = 1; i < area.centreline.size(); ++i) {
     const Point2 &a = area.centreline[i - 1], step = (area.centreline[i] - a) / kParts;
     for (int k = 0; k < kParts; ++k) {
-      if (Contains(area.polygon, a + (k + 0.5) * step)) length += step.norm();
+      if (inside.Contains(a + (k + 0.5) * step)) length += step.norm();
     }
   }
   return length;
@@ -105,20 +110,18 @@ double LengthInside(const WaterArea& area) {
 
 class Answers {
  public:
-  Answers(const std::vector<WaterArea>& areas, const std::optional<PlaneBounds>& scene, Plan& plan)
-      : areas_(areas), scene_(scene), plan_(plan), bodies_(BodiesOf(plan)) {
+  Answers(const std::vector<WaterArea>& areas, const std::optional<PlaneBounds>& scene, Plan& plan,
+          const IsCancelled& is_cancelled)
+      : areas_(areas), index_(areas, is_cancelled), scene_(scene), plan_(plan), bodies_(BodiesOf(plan)) {
     shares_.resize(areas.size());
-    for (size_t b = 0; b < bodies_.size(); ++b) {
+    for (size_t b = 0; b < bodies_.size() && !index_.cancelled(); ++b) {
       Body& body = bodies_[b];
       const CoverLines region(body.boundary);
-      std::vector<double> shares(areas.size(), 0);
-      for (size_t a = 0; a < areas.size(); ++a) {
-        const double share = region.ShareIn(areas[a]);
-        if (share > 0) shares_[a].emplace_back(b, share);
-        // Who accepts what was filled leaves it to the areas before.
-        if (areas[a].decision != ReviewDecision::kAccept) shares[a] = share;
-      }
-      const auto deciding = FindDecidingArea(region, shares, areas);
+      std::vector<AreaShare> shares = index_.SharesOf(region, [](const WaterArea&) { return true; });
+      for (const auto& [a, share] : shares) shares_[a].emplace_back(b, share);
+      // Who accepts what was filled leaves it to the areas before.
+      std::erase_if(shares, [&](const AreaShare& s) { return areas[s.area].decision == ReviewDecision::kAccept; });
+      const auto deciding = index_.DeciderOf(region, shares);
       if (!deciding) continue;
       body.decided_by = static_cast<int32_t>(deciding->area);
       body.together = deciding->together;
@@ -128,6 +131,7 @@ class Answers {
 
   void Run() {
     for (size_t a = 0; a < areas_.size(); ++a) {
+      if (index_.cancelled()) return;
       WaterAnswer answer;
       answer.label = areas_[a].label;
       answer.water = areas_[a].water;
@@ -136,13 +140,13 @@ class Answers {
       double most = -1, taken = 0, under = 0;  // m2
       for (const auto& [b, share] : shares_[a]) {
         std::string reason = WhyNot(static_cast<int32_t>(a), bodies_[b], share);
-        const double covered = share * AreaOf(bodies_[b]);
+        const double covered = share * bodies_[b].area;
         if (reason.empty()) {
           answer.holes.insert(answer.holes.end(), bodies_[b].holes.begin(), bodies_[b].holes.end());
           const Body& body = bodies_[b];
           const bool decides = body.decided_by == static_cast<int32_t>(a);
-          taken += body.together && !decides ? covered : AreaOf(body);
-          under += body.together && decides ? body.share * AreaOf(body) : covered;
+          taken += body.together && !decides ? covered : body.area;
+          under += body.together && decides ? body.share * body.area : covered;
         }
         if (covered <= most) continue;
         answer.reason = std::move(reason);
@@ -163,7 +167,7 @@ class Answers {
       if (!answer.water && areas_[a].level)
         AddDoubt("its level_m has no effect where it says that there is no water", answer);
       if (answer.taken && answer.water) AddDoubt(DoubtOfKind(areas_[a], answer), answer);
-      if (answer.taken && areas_[a].centreline.size() > 1) AddDoubt(DoubtOfCentreline(areas_[a], answer), answer);
+      if (answer.taken && areas_[a].centreline.size() > 1) AddDoubt(DoubtOfCentreline(a, answer), answer);
       if (answer.water && under < kCovers * taken) AddDoubt(DoubtOfExtent(taken, under), answer);
       plan_.water_answers.push_back(std::move(answer));
     }
@@ -175,12 +179,6 @@ class Answers {
     return std::ranges::none_of(shares_[a], [&](const auto& share) {
       return plan_.holes[bodies_[share.first].holes.front()].kind != HoleKind::kClosed;
     });
-  }
-
-  double AreaOf(const Body& body) const {
-    double area = 0;
-    for (const int32_t h : body.holes) area += plan_.holes[h].area;
-    return area;
   }
 
   static void AddDoubt(const std::string& more, WaterAnswer& answer) {
@@ -238,14 +236,15 @@ class Answers {
            " m; \"kind\": \"lake\" makes it level";
   }
 
-  // The length of the rivers among the bodies that are filled as the answer says.
-  double LengthOfWater(const WaterAnswer& answer) const {
+  // The length of the rivers among the bodies that are filled as the answer of area `a` says.
+  double LengthOfWater(size_t a, const WaterAnswer& answer) const {
     double length = 0;
-    for (const Body& body : bodies_) {
+    for (const auto& [b, share] : shares_[a]) {
+      const Body& body = bodies_[b];
       if (std::ranges::find(answer.holes, body.holes.front()) == answer.holes.end()) continue;
       if (!IsRiver(body.holes.front())) continue;
-      for (const Centreline& line : FindCentrelines(body.boundary, kStation)) {
-        if (line.length > kStation) length += line.length;
+      for (const Centreline& line : FindCentrelines(body.boundary, kReach)) {
+        if (line.length > kReach) length += line.length;
       }
     }
     return length;
@@ -266,13 +265,14 @@ class Answers {
            " m2 of its water, which have a level of their own, at " + Place(plan_.holes[largest].centre);
   }
 
-  std::string DoubtOfCentreline(const WaterArea& area, const WaterAnswer& answer) const {
+  std::string DoubtOfCentreline(size_t a, const WaterAnswer& answer) const {
+    const WaterArea& area = areas_[a];
     if (std::ranges::none_of(answer.holes, [&](int32_t h) { return IsRiver(h); }))
       return "no level of the shore is known along its centreline, so the water is level";
     if (const auto place = WhereItTurnsBack(area.centreline)) return "its centreline turns back at " + Place(*place);
     std::string other = OtherWater(answer);
     if (!other.empty()) return other;
-    const double water = LengthOfWater(answer), line = LengthInside(area);
+    const double water = LengthOfWater(a, answer), line = LengthInside(area);
     if (line >= kAlong * water) return "";
     return "its centreline runs along " + Number(line) + " m of " + Number(water) +
            " m of water; it is to run from end to end";
@@ -293,6 +293,7 @@ class Answers {
   }
 
   const std::vector<WaterArea>& areas_;
+  const AreaIndex index_;  // of them
   const std::optional<PlaneBounds>& scene_;
   Plan& plan_;
   std::vector<Body> bodies_;
@@ -313,8 +314,9 @@ std::optional<PlaneBounds> BoundsOfCells(const PlanInput& input) {
   return bounds;
 }
 
-void AnswerWaterAreas(const WaterOptions& options, Plan& plan, const std::optional<PlaneBounds>& scene) {
-  if (!options.areas.empty()) Answers(options.areas, scene, plan).Run();
+void AnswerWaterAreas(const WaterOptions& options, Plan& plan, const std::optional<PlaneBounds>& scene,
+                      const std::function<bool()>& is_cancelled) {
+  if (!options.areas.empty()) Answers(options.areas, scene, plan, is_cancelled).Run();
 }
 
 }  // namespace tilemend

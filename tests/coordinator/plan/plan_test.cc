@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -400,6 +401,25 @@ TEST(MakePlanTest, IsEmptyOnceItIsCancelled) {
     const bool is_empty = MakePlan(scene.Input(), options).holes.empty();
     EXPECT_EQ(is_empty, asked > last) << last;
   }
+}
+
+// A file of polygons may be long: each of them is an occasion to end.
+TEST(MakePlanTest, IsEmptyIfItIsCancelledWhileItLooksAtPolygons) {
+  const SurveyedScene scene = PictureScene({"####", "#..#", "#..#", "####"}, 2);
+  int asked = 0, last = std::numeric_limits<int>::max();
+  const auto count = [&](size_t polygons) {
+    PlanOptions options;
+    options.water.areas.assign(polygons, {true, {{{{-1e6, -1e6}, {1e6, -1e6}, {1e6, 1e6}, {-1e6, 1e6}}}}});
+    options.is_cancelled = [&] { return asked++ >= last; };
+    asked = 0;
+    return MakePlan(scene.Input(), options).holes.size();
+  };
+  ASSERT_GT(count(1), 0U);
+  const int with_one = asked;
+  ASSERT_GT(count(50), 0U);
+  const int with_all = asked;
+  EXPECT_GE(with_all, with_one + 3 * 49) << "FindWater, which areas cover a hole, what became of each";
+  for (last = with_one; last < with_all; last += 9) EXPECT_EQ(count(50), 0U) << last;
 }
 
 }  // namespace

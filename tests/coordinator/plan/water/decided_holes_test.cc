@@ -98,6 +98,11 @@ TEST_F(DecideHolesTest, AHoleThatCannotBeFilledKeepsItsReason) {
   EXPECT_EQ(plan_.holes[1].failure, "its boundary crosses itself");
 }
 
+TEST_F(DecideHolesTest, OnceItIsCancelledNothingIsDecided) {
+  DecideHoles({Decision(ReviewDecision::kOpen, 0, 99)}, plan_, [] { return true; });
+  EXPECT_TRUE(plan_.decisions.empty());
+}
+
 TEST_F(DecideHolesTest, AreasOfWaterAreNoDecisions) {
   WaterArea water;
   water.polygon.rings = {BoxOf(0, 99)};

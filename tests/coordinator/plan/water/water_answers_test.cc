@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,17 @@ TEST_F(WaterAnswersTest, AnAreaIsTakenForAllHolesOfTheBody) {
   EXPECT_EQ(answers[0].label, "lake");
   EXPECT_THAT(answers[0].holes, ElementsAre(0, 2));
   EXPECT_EQ(answers[0].reason, "");
+}
+
+TEST_F(WaterAnswersTest, OnceItIsCancelledThereIsNoAnswer) {
+  AddHole(HoleKind::kOpenI, Box(0, 0, 10, 10), 0).water = 0;
+  plan_.water.resize(1);
+  WaterOptions options;
+  options.areas.assign(20, {true, {{Box(-1, -1, 4, 11)}}});
+  int asked = 0;
+  AnswerWaterAreas(options, plan_, std::nullopt, [&] { return ++asked > 10; });
+  EXPECT_THAT(plan_.water_answers, IsEmpty());
+  EXPECT_LT(asked, 20);
 }
 
 // A canal that is drawn in parts.
