@@ -24,7 +24,10 @@ double AreaOf(const Plan& plan, const std::vector<RimSegment>& segments) {
 
 bool IsLostRegion(const Plan& plan, const std::vector<RimSegment>& hole, const std::vector<RimSegment>& region,
                   bool on_outline) {
-  if (!on_outline && !region.empty() && std::ranges::all_of(region, &RimSegment::seam)) return true;
+  const auto has_surface = [](const std::vector<RimSegment>& of) {
+    return !std::ranges::all_of(of, &RimSegment::seam);
+  };
+  if (!on_outline && !region.empty() && has_surface(hole) && !has_surface(region)) return true;
   const double whole = AreaOf(plan, hole);
   return whole - AreaOf(plan, region) > std::max(kLostArea, kLostShare * whole);
 }

@@ -295,10 +295,9 @@ class CellRegions {
   bool AddGap(const OutlineGap& gap, const PlannedHole& hole, const std::vector<LineVertex>& line,
               LinkParts& link_parts, std::vector<RimSegment>& region) {
     const int32_t from = PlanVertexOf(gap.from), to = PlanVertexOf(gap.to);
-    if (from == to) return false;
+    if (from == to) return gap.open;
     std::vector<int32_t> way = {from};
-    const bool is_outline = gap.open && !line.empty();
-    if (is_outline) {
+    if (gap.open && !line.empty()) {
       const bool apart =
           gap.end - gap.begin > kClearance * std::min(plan_.vertices[from].size, plan_.vertices[to].size);
       const auto add_ahead = [&](int32_t end, double place) {
@@ -314,7 +313,7 @@ class CellRegions {
     if (way.size() == 1) AddLink(gap, hole, link_parts, way);
     way.push_back(to);
     for (size_t i = 0; i + 1 < way.size(); ++i) region.push_back({way[i], way[i + 1], true});
-    return is_outline;
+    return gap.open;
   }
 
   // New vertices between ends of chains of two pieces, as far apart as those of the rim; at least one half-way, as the

@@ -37,6 +37,7 @@ TEST(IsLostRegionTest, WhereNothingIsLeftOfTheBoundary) {
   for (RimSegment& s : region) s.seam = true;
   EXPECT_TRUE(IsLostRegion(plan, hole, region, false));
   EXPECT_FALSE(IsLostRegion(plan, hole, region, true)) << "a tile within a lake";
+  EXPECT_FALSE(IsLostRegion(plan, region, region, false)) << "an area within a lake";
   region.front().seam = false;
   EXPECT_FALSE(IsLostRegion(plan, hole, region, false));
 }
