@@ -91,9 +91,8 @@ class AcceptanceCheck {
 
   absl::StatusOr<Acceptance> Run(const StepWatcher& watcher) {
     for (size_t t = 0; t < input_.scene.tiles.size(); ++t) {
-      const int32_t row = input_.scene.tiles[t].cell.row;
-      if (row != row_) Resolve(row - 1);
-      row_ = row;
+      if (const int32_t row = input_.scene.tiles[t].cell.row; row != row_) Resolve(row - 1);
+      row_ = input_.scene.tiles[t].cell.row;
       if (watcher) watcher("compare the tiles", t, input_.scene.tiles.size(), "cell");
       TILEMEND_RETURN_IF_ERROR(CheckTile(static_cast<int32_t>(t)));
     }

@@ -270,6 +270,14 @@ absl::StatusOr<PipelineFactory> PipelinesFromFlags(const Flags& flags, const std
 
 std::string TextOf(const Demand& demand) { return absl::StrCat(demand.jobs, " jobs, ", demand.tasks, " tasks"); }
 
+// The journal, unless the program is asked to end while it waits for it.
+absl::Status TakeJournal(const Flags& flags, const std::function<bool()>& is_asked_to_end, Log& log,
+                         CoordinatorOptions& options) {
+  auto opened = JournalFromFlags(flags, options.work_folder, is_asked_to_end, log);
+  if (opened.ok()) options.journal = opened->journal;
+  return opened.status();
+}
+
 absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   std::binary_semaphore stop(0);
   std::atomic<bool> is_asked_to_end{false};
@@ -290,11 +298,9 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   TILEMEND_ASSIGN_OR_RETURN(const auto status,
                             ServeMetrics(flags, credentials->kept(), options.work_folder, metrics, process, log));
   TILEMEND_RETURN_IF_ERROR(KeepToRoots(flags, options));
-  auto opened = JournalFromFlags(
-      flags, options.work_folder, [&] { return is_asked_to_end.load(); }, log);
-  if (absl::IsCancelled(opened.status())) return absl::OkStatus();
-  TILEMEND_RETURN_IF_ERROR(opened.status());
-  options.journal = opened->journal;
+  const absl::Status opened = TakeJournal(
+      flags, [&] { return is_asked_to_end.load(); }, log, options);
+  if (!opened.ok()) return absl::IsCancelled(opened) ? absl::OkStatus() : opened;
   TILEMEND_ASSIGN_OR_RETURN(PipelineFactory pipelines, PipelinesFromFlags(flags, options.work_folder));
   TILEMEND_ASSIGN_OR_RETURN(const auto coordinator,
                             Coordinator::Create(std::move(options), std::move(pipelines), metrics));

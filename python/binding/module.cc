@@ -117,6 +117,14 @@ py::array FacesOf(const TriMesh& mesh) {
   return array;
 }
 
+// Python may end the thread in here by unwinding its stack, without the GIL: so no object may be freed on the way.
+void CallProgress(PyObject* progress, const SharedStep::Step& now) {
+  PyObject* const answer = PyObject_CallFunction(progress, "snn", now.name.c_str(), static_cast<Py_ssize_t>(now.done),
+                                                 static_cast<Py_ssize_t>(now.all));
+  if (answer == nullptr) throw py::error_already_set();
+  Py_DECREF(answer);
+}
+
 // (vertices, faces, number of original faces, report as JSON).
 py::tuple Fill(const py::array& vertices, const py::array& faces, const std::map<std::string, std::string>& texts,
                const py::object& progress) {
@@ -130,7 +138,7 @@ py::tuple Fill(const py::array& vertices, const py::array& faces, const std::map
   absl::StatusOr<Result> result = absl::UnknownError("");
   std::function<void(const SharedStep::Step&)> show;
   if (!progress.is_none()) {
-    show = [&](const SharedStep::Step& now) { progress(now.name, now.done, now.all); };
+    show = [&](const SharedStep::Step& now) { CallProgress(progress.ptr(), now); };
   }
   RunInBackground([&] { result = FillArrays(*std::move(mesh), *spec, cancel, step); }, cancel, step, show);
   if (!result.ok()) Throw(result.status());

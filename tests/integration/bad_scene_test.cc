@@ -127,6 +127,11 @@ std::vector<BadScene> BadTiles() {
   };
 }
 
+void LinkTilesetOut(const std::string& scene) {
+  fs::rename(scene + "/scene.json", scene + "/../outside.json");
+  fs::create_symlink("../outside.json", scene + "/tileset.json");
+}
+
 std::vector<BadScene> BadGrids() {
   return {
       {"CellSizeZero", SetField("cell_size", 0), 4, "scene.json: cell_size: must be finite and greater than 0"},
@@ -160,12 +165,7 @@ std::vector<BadScene> BadGrids() {
          json["tiles"][1]["path"] = nullptr;
        }),
        4, "which is the file of tiles[0]"},
-      {"TilesetElsewhere",
-       [](const auto& scene) {
-         fs::rename(scene + "/scene.json", scene + "/../outside.json");
-         fs::create_symlink("../outside.json", scene + "/tileset.json");
-       },
-       4, "tileset.json: it leads out of the folder"},
+      {"TilesetElsewhere", LinkTilesetOut, 4, "tileset.json: it leads out of the folder"},
       {"NothingThere", [](const auto& scene) { fs::remove_all(scene); }, 3, "no such "},
       {"NoTiles", [](const auto& scene) { fs::remove_all(scene), fs::create_directory(scene); }, 3,
        "no tile named like"},

@@ -166,8 +166,8 @@ class CellRegions {
       for (const int32_t e : members.edges) AddEdge(record_.edges[e], first, region);
       const std::vector<LineVertex> line = LineVertices(first);
       LinkParts link_parts(LengthOf(plan_, region), std::ssize(region));
-      bool on_outline = false;  // of the tile
-      for (const OutlineGap& gap : members.gaps) on_outline |= AddGap(gap, first, line, link_parts, region);
+      for (const OutlineGap& gap : members.gaps) AddGap(gap, first, line, link_parts, region);
+      bool on_outline = std::ranges::any_of(members.gaps, &OutlineGap::open);  // of the tile
       if (walk_.all_open && !line.empty() && members.gaps.empty()) on_outline |= AddRing(line, region);
       if (!region.empty() && IsLostRegion(plan_, first.segments, region, on_outline)) {
         first.failure = kLost;
@@ -290,12 +290,11 @@ class CellRegions {
     }
   }
 
-  // From the end of one chain along the outline to the next, over new vertices beside those on the grid lines. Returns
-  // whether that is the tile's outline, not a link between two pieces of the tile.
-  bool AddGap(const OutlineGap& gap, const PlannedHole& hole, const std::vector<LineVertex>& line,
+  // From the end of one chain along the outline to the next, over new vertices beside those on the grid lines.
+  void AddGap(const OutlineGap& gap, const PlannedHole& hole, const std::vector<LineVertex>& line,
               LinkParts& link_parts, std::vector<RimSegment>& region) {
     const int32_t from = PlanVertexOf(gap.from), to = PlanVertexOf(gap.to);
-    if (from == to) return gap.open;
+    if (from == to) return;
     std::vector<int32_t> way = {from};
     if (gap.open && !line.empty()) {
       const bool apart =
@@ -313,7 +312,6 @@ class CellRegions {
     if (way.size() == 1) AddLink(gap, hole, link_parts, way);
     way.push_back(to);
     for (size_t i = 0; i + 1 < way.size(); ++i) region.push_back({way[i], way[i + 1], true});
-    return gap.open;
   }
 
   // New vertices between ends of chains of two pieces, as far apart as those of the rim; at least one half-way, as the

@@ -154,12 +154,7 @@ class Answers {
       }
       answer.taken = !answer.holes.empty();
       answer.is_over_hole = !shares_[a].empty();
-      const bool is_outside = scene_ && !Meets(areas_[a].polygon, *scene_);
-      if (shares_[a].empty()) answer.reason = is_outside ? kOutside : "no hole lies under it";
-      const bool may_clear =
-          answer.water && !areas_[a].clear && !is_outside && answer.decision == ReviewDecision::kNone;
-      if (!answer.taken && may_clear && CoversNoWaterHole(a)) answer.reason += kMaybeSurface;
-      if (!answer.taken && !areas_[a].cleared_cells.empty()) answer.reason += kTakenOut;
+      if (!answer.taken) CompleteReason(a, answer);
       if (answer.taken && answer.water) {
         answer.doubt = areas_[a].level ? DoubtOfLevel(areas_[a], answer) : DoubtOfShore(answer);
         if (areas_[a].is_mostly_open) AddDoubt(kMostlyOpen, answer);
@@ -174,6 +169,16 @@ class Answers {
   }
 
  private:
+  // Of an area that is not taken.
+  void CompleteReason(size_t a, WaterAnswer& answer) const {
+    const WaterArea& area = areas_[a];
+    const bool is_outside = scene_ && !Meets(area.polygon, *scene_);
+    if (shares_[a].empty()) answer.reason = is_outside ? kOutside : "no hole lies under it";
+    const bool may_clear = answer.water && !area.clear && !is_outside && answer.decision == ReviewDecision::kNone;
+    if (may_clear && CoversNoWaterHole(a)) answer.reason += kMaybeSurface;
+    if (!area.cleared_cells.empty()) answer.reason += kTakenOut;
+  }
+
   // Whether nothing under an area can be water, so that the water may be there as surface.
   bool CoversNoWaterHole(size_t a) const {
     return std::ranges::none_of(shares_[a], [&](const auto& share) {
