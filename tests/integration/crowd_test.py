@@ -15,12 +15,10 @@ import os
 import random
 import signal
 import subprocess
-import sys
-import tempfile
 import time
 
-from cluster_harness import Bench, Failure, await_, require
-from islands import Island, Jobs, connected, metric, skip_without_namespaces, start_coordinator
+from cluster_harness import await_, require
+from islands import Jobs, connected, metric, run_on_islands, start_coordinator
 
 METRICS = 9100  # of each worker, in its own network
 
@@ -128,20 +126,7 @@ def main():
     parser.add_argument('--kills', type=int, default=10)
     parser.add_argument('--side', type=int, default=24)
     parser.add_argument('--seed', type=int, default=1)
-    arguments = parser.parse_args()
-    skip_without_namespaces()
-    islands = [Island(number + 1) for number in range(arguments.workers)]
-    with tempfile.TemporaryDirectory() as folder:
-        bench = Bench(arguments.bin, folder)
-        try:
-            run_all(bench, arguments, islands)
-        except Failure as failure:
-            print(f'FAILED: {failure}')
-            sys.exit(1)
-        finally:
-            for island in islands:
-                island.close()
-            bench.close()
+    run_on_islands(run_all, parser.parse_args())
 
 
 if __name__ == '__main__':

@@ -4,9 +4,10 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import urllib.request
 
-from cluster_harness import LIMIT, check_output, metrics_port, require
+from cluster_harness import LIMIT, Bench, Failure, check_output, metrics_port, require
 
 WAYS = {'to the coordinator': ['INPUT'], 'to the worker': ['OUTPUT'], 'both ways': ['INPUT', 'OUTPUT']}
 
@@ -117,3 +118,20 @@ def skip_without_namespaces():
     if os.geteuid() != 0 or missing or run('iptables', '-S').returncode != 0:
         print(f'SKIPPED: needs root, ip and iptables (missing: {missing}, user {os.geteuid()})')
         sys.exit(77)
+
+
+def run_on_islands(run_all, arguments):
+    """Calls run_all(bench, arguments, islands) with `arguments.workers` islands for the programs in `arguments.bin`."""
+    skip_without_namespaces()
+    islands = [Island(number + 1) for number in range(arguments.workers)]
+    with tempfile.TemporaryDirectory() as folder:
+        bench = Bench(arguments.bin, folder)
+        try:
+            run_all(bench, arguments, islands)
+        except Failure as failure:
+            print(f'FAILED: {failure}')
+            sys.exit(1)
+        finally:
+            for island in islands:
+                island.close()
+            bench.close()

@@ -13,12 +13,10 @@ import argparse
 import os
 import random
 import subprocess
-import sys
-import tempfile
 import time
 
-from cluster_harness import Bench, Failure, await_
-from islands import WAYS, Island, Jobs, connected, metric, skip_without_namespaces, start_coordinator
+from cluster_harness import await_
+from islands import WAYS, Jobs, connected, metric, run_on_islands, start_coordinator
 
 
 def cut_often(arguments, islands, jobs, port):
@@ -75,20 +73,7 @@ def main():
     parser.add_argument('--longest', type=float, default=20)
     parser.add_argument('--workers', type=int, default=3)
     parser.add_argument('--seed', type=int, default=1)
-    arguments = parser.parse_args()
-    skip_without_namespaces()
-    islands = [Island(number + 1) for number in range(arguments.workers)]
-    with tempfile.TemporaryDirectory() as folder:
-        bench = Bench(arguments.bin, folder)
-        try:
-            run_all(bench, arguments, islands)
-        except Failure as failure:
-            print(f'FAILED: {failure}')
-            sys.exit(1)
-        finally:
-            for island in islands:
-                island.close()
-            bench.close()
+    run_on_islands(run_all, parser.parse_args())
 
 
 if __name__ == '__main__':
