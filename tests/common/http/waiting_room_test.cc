@@ -44,8 +44,8 @@ class WaitingRoomTest : public ::testing::Test {
   }
   // Beside a connection that says nothing.
   void ExpectLeavesWith(const std::string& first, const std::string& rest) {
-    WaitingRoom room({}, Leave());
     const Pair idle, asking;
+    WaitingRoom room({}, Leave());  // ends before their other sides do, which would let them leave
     room.Add(idle.theirs);
     room.Add(asking.theirs);
     asking.Say(first);
