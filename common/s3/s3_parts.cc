@@ -56,7 +56,7 @@ class Upload {
     absl::StrAppend(&body, "</CompleteMultipartUpload>");
     S3Request request{.method = "POST", .path = object_, .query = {{"uploadId", id_}}};
     request.body = body;
-    const absl::Status status = requests_.Send(request, name_).status();
+    absl::Status status = requests_.Send(request, name_).status();
     if (status.ok()) return status;
     // Where only the answer was lost, another try finds no upload.
     const auto look = requests_.Send({"HEAD", object_}, name_);
