@@ -261,7 +261,8 @@ absl::Status CheckInputsStay(const Request& request, const Scene& scene) {
 // A new folder would hide a slip in its name.
 absl::Status CheckFolderIsThere(const char* flag, const std::string& path) {
   const std::string folder = std::filesystem::path(path).parent_path().string();
-  if (path.empty() || folder.empty() || IsObjectPath(path) || KindOf(folder) != PathKind::kNothing) return absl::OkStatus();
+  if (path.empty() || folder.empty() || IsObjectPath(path) || KindOf(folder) != PathKind::kNothing)
+    return absl::OkStatus();
   return absl::NotFoundError(absl::StrCat(folder, ": no such folder; make it first, or choose another ", flag));
 }
 

@@ -22,7 +22,8 @@ void CheckShape(const char* name, const char* rows, const py::array& array) {
   if (array.ndim() == 2 && array.shape(1) == 3 && is_packed) return;
   std::string shape;
   for (py::ssize_t k = 0; k < array.ndim(); ++k) absl::StrAppend(&shape, k > 0 ? ", " : "", array.shape(k));
-  throw py::value_error(absl::StrCat(name, ": has shape (", shape, "); expected (", rows, ", 3), row after row in memory"));
+  throw py::value_error(
+      absl::StrCat(name, ": has shape (", shape, "); expected (", rows, ", 3), row after row in memory"));
 }
 
 // pybind11's isinstance: same kind, width and byte order, and aligned.

@@ -10,8 +10,8 @@
 
 namespace tilemend {
 
-// Both check the shape, (n, 3) and (m, 3), and the type again: the Python code converts before, but anybody may call the module.
-// TypeError or ValueError says what was expected. The array outlives the span.
+// Both check the shape, (n, 3) and (m, 3), and the type again: the Python code converts before, but anybody may call
+// the module. TypeError or ValueError says what was expected. The array outlives the span.
 VertexNumbers VertexView(const pybind11::array& vertices);  // float32 or float64
 FaceNumbers FaceView(const pybind11::array& faces);         // int32, int64, uint32 or uint64
 
