@@ -270,14 +270,6 @@ absl::StatusOr<PipelineFactory> PipelinesFromFlags(const Flags& flags, const std
 
 std::string TextOf(const Demand& demand) { return absl::StrCat(demand.jobs, " jobs, ", demand.tasks, " tasks"); }
 
-// The journal, unless the program is asked to end while it waits for it.
-absl::Status TakeJournal(const Flags& flags, const std::function<bool()>& is_asked_to_end, Log& log,
-                         CoordinatorOptions& options) {
-  auto opened = JournalFromFlags(flags, options.work_folder, is_asked_to_end, log);
-  if (opened.ok()) options.journal = opened->journal;
-  return opened.status();
-}
-
 absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   std::binary_semaphore stop(0);
   std::atomic<bool> is_asked_to_end{false};
@@ -286,7 +278,6 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
     is_asked_to_end.store(true);
     if (count == 1) stop.release();
   });
-  ShareHeap();
   PrometheusRegistry metrics;
   ProcessMetrics process(metrics, kProgram, Version());
   TILEMEND_ASSIGN_OR_RETURN(const auto logs, LogFromFlags(flags));
@@ -298,9 +289,10 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
   TILEMEND_ASSIGN_OR_RETURN(const auto status,
                             ServeMetrics(flags, credentials->kept(), options.work_folder, metrics, process, log));
   TILEMEND_RETURN_IF_ERROR(KeepToRoots(flags, options));
-  const absl::Status opened = TakeJournal(
-      flags, [&] { return is_asked_to_end.load(); }, log, options);
-  if (!opened.ok()) return absl::IsCancelled(opened) ? absl::OkStatus() : opened;
+  const auto opened = JournalFromFlags(
+      flags, options.work_folder, [&] { return is_asked_to_end.load(); }, log);
+  if (!opened.ok()) return absl::IsCancelled(opened.status()) ? absl::OkStatus() : opened.status();
+  options.journal = opened->journal;
   TILEMEND_ASSIGN_OR_RETURN(PipelineFactory pipelines, PipelinesFromFlags(flags, options.work_folder));
   TILEMEND_ASSIGN_OR_RETURN(const auto coordinator,
                             Coordinator::Create(std::move(options), std::move(pipelines), metrics));
@@ -362,6 +354,7 @@ int Main(const std::vector<std::string>& words) {
   const absl::Status armed = ArmFailPoint(failpoint == nullptr ? "" : failpoint);
   if (!armed.ok()) return Fail(armed, kExitUsage);
   if (const absl::Status store = UseS3(); !store.ok()) return Fail(store, kExitUsage);
+  ShareHeap();
   const absl::Status status = WithoutExceptions([&] { return Serve(*flags, *std::move(options)); });
   return status.ok() ? static_cast<int>(kExitDone) : Fail(status, ExitCodeOf(status));
 }
