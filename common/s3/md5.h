@@ -2,7 +2,6 @@
 #ifndef TILEMEND_COMMON_S3_MD5_H_
 #define TILEMEND_COMMON_S3_MD5_H_
 
-#include <memory>
 #include <string>
 #include <string_view>
 

@@ -64,13 +64,20 @@ absl::StatusOr<RoleCredentials> S3CredentialSource::Find(absl::Time now) const {
     if (auto found = CredentialsInFile(*text, profile))
       return RoleCredentials{*std::move(found), absl::InfiniteFuture(), now + kFileHolds};
   }
-  for (const auto ask : {&RoleOfWebIdentity, &RoleOfContainer, &RoleOfMachine}) {
-    if (auto role = ask(environment_)) return *std::move(role);
-  }
+  const bool is_pod = !value("AWS_WEB_IDENTITY_TOKEN_FILE").empty();
+  const bool is_container =
+      !value("AWS_CONTAINER_CREDENTIALS_RELATIVE_URI").empty() || !value("AWS_CONTAINER_CREDENTIALS_FULL_URI").empty();
+  auto role = is_pod         ? RoleOfWebIdentity(environment_)
+              : is_container ? RoleOfContainer(environment_)
+                             : RoleOfMachine(environment_);
+  if (role) return *std::move(role);
+  const char* const asked = is_pod         ? "the role AWS_ROLE_ARN by the token in AWS_WEB_IDENTITY_TOKEN_FILE"
+                            : is_container ? "the role of this container (AWS_CONTAINER_CREDENTIALS_...)"
+                                           : "a role of this machine";
   return WithErrorInfo(absl::PermissionDeniedError(absl::StrCat(
                            "no credentials for the object store: neither AWS_ACCESS_KEY_ID and AWS_SECRET_ACCESS_KEY, "
                            "nor a profile [",
-                           profile, "] in ", file, ", nor a role of a web identity, this container or this machine")),
+                           profile, "] in ", file, ", nor ", asked)),
                        {"OBJECT_STORE_REFUSED", {}});
 }
 

@@ -10,9 +10,8 @@ namespace tilemend {
 
 // A tile's own region reaches beyond its hole, up to the tile's outline. One that winds around less than nine tenths of
 // the hole's area, and 2 m2 less, has lost its way along chains of pieces. Less than that is boundary that runs to and
-// fro. So has a region of any size that is bounded by links between pieces and by the area alone, where surface bounds
-// the hole: it has no edge of that, nor does it reach the tile's outline (`on_outline`). A patch there would hang on
-// nothing.
+// fro. A region is also lost, whatever its size, if surface bounds the hole but none of it the region, and the region
+// does not reach the tile's outline (`on_outline`). A patch there would hang on nothing.
 //
 // Seen from above; both in vertices of the plan. O(segments).
 bool IsLostRegion(const Plan& plan, const std::vector<RimSegment>& hole, const std::vector<RimSegment>& region,

@@ -167,8 +167,9 @@ class CellRegions {
       const std::vector<LineVertex> line = LineVertices(first);
       LinkParts link_parts(LengthOf(plan_, region), std::ssize(region));
       for (const OutlineGap& gap : members.gaps) AddGap(gap, first, line, link_parts, region);
-      bool on_outline = std::ranges::any_of(members.gaps, &OutlineGap::open);  // of the tile
-      if (walk_.all_open && !line.empty() && members.gaps.empty()) on_outline |= AddRing(line, region);
+      const bool is_ring = walk_.all_open && !line.empty() && members.gaps.empty();
+      if (is_ring) AddRing(line, region);
+      const bool on_outline = is_ring || std::ranges::any_of(members.gaps, &OutlineGap::open);  // of the tile
       if (!region.empty() && IsLostRegion(plan_, first.segments, region, on_outline)) {
         first.failure = kLost;
       } else if (whole < region.size()) {
@@ -379,7 +380,7 @@ class CellRegions {
     return vertices;
   }
 
-  bool AddRing(const std::vector<LineVertex>& line, std::vector<RimSegment>& region) {
+  void AddRing(const std::vector<LineVertex>& line, std::vector<RimSegment>& region) {
     std::map<double, int32_t> ring;
     for (const LineVertex& v : line) ring.emplace(v.place, new_.Beside(v));
     for (int c = 0; c < 4; ++c) {
@@ -390,7 +391,6 @@ class CellRegions {
       const auto next = std::next(it) == ring.end() ? ring.begin() : std::next(it);
       region.push_back({it->second, next->second, true});
     }
-    return true;
   }
 
   int32_t Nearest(double place, const std::vector<LineVertex>& line) const {

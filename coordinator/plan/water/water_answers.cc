@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/mesh/polygon_index.h"
+#include "common/mesh/polygon_tree.h"
 #include "coordinator/plan/water/area_index.h"
 #include "coordinator/plan/water/centreline.h"
 #include "coordinator/plan/water/given_line.h"
@@ -84,15 +85,9 @@ std::string WhyNoWater(const Plan& plan, const Body& body) {
 
 // Whether the bounds of the polygon meet those of the scene.
 bool Meets(const PlanePolygon& polygon, const PlaneBounds& scene) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Point2 low = Point2::Constant(kInfinity), high = -low;
-  for (const std::vector<Point2>& ring : polygon.rings) {
-    for (const Point2& p : ring) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-  }
-  return (low.array() <= scene.high.array()).all() && (high.array() >= scene.low.array()).all();
+  const Eigen::AlignedBox3d box = FlatBoxOf(polygon);
+  return (box.min().head<2>().array() <= scene.high.array()).all() &&
+         (box.max().head<2>().array() >= scene.low.array()).all();
 }
 
 // How much of its centreline lies in an area.

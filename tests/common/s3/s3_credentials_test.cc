@@ -77,6 +77,20 @@ TEST_F(S3CredentialsTest, SaysWhereItLooked) {
   EXPECT_EQ(std::string(status.message()).find("hidden"), std::string::npos);
 }
 
+// The machine's role may have other rights.
+TEST_F(S3CredentialsTest, TakesNoOtherRoleThanTheOneThatIsNamed) {
+  values_["AWS_SHARED_CREDENTIALS_FILE"] = "/nowhere";
+  values_["AWS_ROLE_ARN"] = "arn:aws:iam::1:role/city";
+  values_["AWS_WEB_IDENTITY_TOKEN_FILE"] = "/nowhere/token";
+  values_["AWS_CONTAINER_CREDENTIALS_FULL_URI"] = "http://127.0.0.1:1/";
+  auto source = Source();
+  EXPECT_NE(std::string(source.Get(absl::Now()).status().message()).find("nor the role AWS_ROLE_ARN"),
+            std::string::npos);
+  values_.erase("AWS_WEB_IDENTITY_TOKEN_FILE");
+  EXPECT_NE(std::string(source.Get(absl::Now()).status().message()).find("nor the role of this container"),
+            std::string::npos);
+}
+
 TEST_F(S3CredentialsTest, AsksForTheRoleOfTheMachineBeforeItExpires) {
   httplib::Server server;
   std::atomic<int> asked{0};
