@@ -64,7 +64,8 @@ function(tilemend_test name)
   tilemend_cheaper(${name} test "${ARG_PCH}" "${ARG_BATCH}")
   target_link_libraries(${name} PRIVATE ${ARG_DEPS} GTest::gmock GTest::gtest_main)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT ${ARG_TIMEOUT})
+  # The first start of a test on a slow disk, with GDAL's hundred libraries, took longer than CMake's five seconds.
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT ${ARG_TIMEOUT})
 endfunction()
 
 # Links Abseil and gRPC from the archives beside their shared libraries: to load and bind the 50 of them takes longer than
