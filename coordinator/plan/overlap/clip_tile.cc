@@ -9,6 +9,7 @@
 #include "common/mesh/disjoint_sets.h"
 #include "common/mesh/lattice.h"
 #include "common/mesh/winding/wound_region.h"
+#include "coordinator/plan/overlap/lowest_heights.h"
 
 namespace tilemend {
 namespace {
@@ -34,7 +35,10 @@ class Clipper {
     for (size_t e = 0; e < record_.edges.size(); ++e) {
       if (!result_.cut[e]) AddInner({record_.edges[e].from, record_.edges[e].to}, false);
     }
-    AddHeights();
+    for (const Side s : kSides) {
+      const auto beyond = [&](const Point3& p) { return square_.Beyond(p, s); };
+      result_.sides[s].height = LowestHeights(record_, 1 - AxisOf(s), beyond);
+    }
     AddRegion(region);
     AddSidesOfTile();
     return std::move(result_);
@@ -157,17 +161,6 @@ class Clipper {
       inside ^= Orientation(a.y < b.y ? a : b, a.y < b.y ? b : a, p) > 0;
     }
     return inside;
-  }
-
-  // Of vertices beyond the sides.
-  void AddHeights() {
-    for (const BoundaryVertex& v : record_.vertices) {
-      for (const Side s : kSides) {
-        if (square_.Beyond(v.position, s)) {
-          result_.sides[s].height.emplace(v.position[1 - AxisOf(s)], v.position.z());
-        }
-      }
-    }
   }
 
   void AddRegion(const WoundRegion& region) {

@@ -23,7 +23,7 @@ using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
 // Where a piece ends or begins: boundary of it in a plane across an axis, with its surface on one side.
-struct Stretch {
+struct OutlineStretch {
   double place = 0;  // on the axis
   int32_t piece = 0;
   bool is_face = false;       // the plane is a face of the piece's box
@@ -66,11 +66,11 @@ class OutlineFinder {
 
   // Where surface ends and other surface has begun.
   std::set<double> PlanesAcross(int axis) const {
-    const std::vector<Stretch> begins = StretchesAcross(axis, false), ends = StretchesAcross(axis, true);
+    const std::vector<OutlineStretch> begins = StretchesAcross(axis, false), ends = StretchesAcross(axis, true);
     std::set<double> planes;
-    for (const Stretch& begin : begins) {
+    for (const OutlineStretch& begin : begins) {
       auto end = std::upper_bound(ends.begin(), ends.end(), begin.place,
-                                  [](double place, const Stretch& other) { return place < other.place; });
+                                  [](double place, const OutlineStretch& other) { return place < other.place; });
       for (; end != ends.end() && end->place - begin.place <= reach_; ++end) {
         if (planes.contains(begin.place) && planes.contains(end->place)) continue;
         if (AreBeside(axis, begin, *end)) planes.insert({begin.place, end->place});
@@ -81,21 +81,21 @@ class OutlineFinder {
 
   // Along the axis, those long enough.
   //   ends  whether the surface lies before the plane, else behind it
-  std::vector<Stretch> StretchesAcross(int axis, bool ends) const {
+  std::vector<OutlineStretch> StretchesAcross(int axis, bool ends) const {
     std::map<int32_t, std::vector<LevelEdge>> of_piece;
     for (size_t e = 0; e < record_.edges.size(); ++e) {
       const double a = Begin(e)[axis], b = End(e)[axis];
       if (std::abs(a - b) > kMeetTolerance || !LiesBeside(e, axis, ends)) continue;
       of_piece[record_.edges[e].piece].push_back({ends ? std::max(a, b) : std::min(a, b), e});
     }
-    std::vector<Stretch> stretches;
+    std::vector<OutlineStretch> stretches;
     for (auto& [piece, edges] : of_piece) {
       std::sort(edges.begin(), edges.end(), [](const LevelEdge& a, const LevelEdge& b) {
         return std::pair(a.place, a.edge) < std::pair(b.place, b.edge);
       });
       for (size_t first = 0, next = 0; first < edges.size(); first = next) {
         while (next < edges.size() && edges[next].place - edges[first].place <= kMeetTolerance) ++next;
-        Stretch stretch;
+        OutlineStretch stretch;
         stretch.place = ends ? edges[next - 1].place : edges[first].place;
         stretch.piece = piece;
         const double face = ends ? box_[piece].max()[axis] : box_[piece].min()[axis];
@@ -106,7 +106,7 @@ class OutlineFinder {
         }
       }
     }
-    std::sort(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) {
+    std::sort(stretches.begin(), stretches.end(), [](const OutlineStretch& a, const OutlineStretch& b) {
       return std::pair(a.place, a.piece) < std::pair(b.place, b.piece);
     });
     return stretches;
@@ -124,7 +124,7 @@ class OutlineFinder {
     return ends ? inward < 0 : inward > 0;
   }
 
-  double LengthOf(const Stretch& stretch) const {
+  double LengthOf(const OutlineStretch& stretch) const {
     double length = 0;
     for (const size_t e : stretch.edges) length += (End(e) - Begin(e)).norm();
     return length;
@@ -132,7 +132,7 @@ class OutlineFinder {
 
   // Whether what ends at one plane goes on at the other: the pieces lie side by side, or, where a piece is joined to
   // others beyond its box, most of the one boundary runs along the other.
-  bool AreBeside(int axis, const Stretch& begin, const Stretch& end) const {
+  bool AreBeside(int axis, const OutlineStretch& begin, const OutlineStretch& end) const {
     if (begin.piece != end.piece && begin.is_face && end.is_face) {
       const AlignedBox3d &a = box_[begin.piece], &b = box_[end.piece];
       for (int other = 0; other < 3; ++other) {
@@ -144,7 +144,7 @@ class OutlineFinder {
     return RunsAlong(begin, end) || RunsAlong(end, begin);
   }
 
-  bool RunsAlong(const Stretch& one, const Stretch& other) const {
+  bool RunsAlong(const OutlineStretch& one, const OutlineStretch& other) const {
     double along = 0;
     for (const size_t e : one.edges) {
       const Point3 middle = (Begin(e) + End(e)) / 2;

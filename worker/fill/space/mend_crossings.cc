@@ -21,6 +21,7 @@
 #include "worker/fill/space/cone_fill.h"
 #include "worker/fill/space/crossing_index.h"
 #include "worker/fill/space/loop_bridges.h"
+#include "worker/fill/space/move_points.h"
 #include "worker/fill/space/patch_crossings.h"
 #include "worker/fill/space/patch_edit.h"
 #include "worker/fill/space/sound_triangulation.h"
@@ -68,23 +69,27 @@ class CrossingMender {
   }
 
   LocalPatch Run(std::vector<int32_t> crossed) {
-    for (const Reach& reach : kReaches) {
-      if (crossed.empty()) break;
-      LocalPatch before = patch_;
-      ReplaceAround(crossed, reach);
-      std::vector<int32_t> now = check_.Crossed(patch_);
-      if (FaultOf(hole_, patch_) == FillFailure::kNone && now.size() <= crossed.size()) {
-        crossed = std::move(now);
-      } else {
-        patch_ = std::move(before);
-      }
-    }
+    Try([&] { MovePoints(hole_, surface_, crossed, patch_); }, crossed);
+    for (const Reach& reach : kReaches) Try([&] { ReplaceAround(crossed, reach); }, crossed);
     DropUnusedPoints(hole_, patch_);
     patch_.crossings = static_cast<int32_t>(crossed.size());
     return std::move(patch_);
   }
 
  private:
+  // Changes the patch, if no more of it crosses then.
+  void Try(const std::function<void()>& change, std::vector<int32_t>& crossed) {
+    if (crossed.empty()) return;
+    LocalPatch before = patch_;
+    change();
+    std::vector<int32_t> now = check_.Crossed(patch_);
+    if (FaultOf(hole_, patch_) == FillFailure::kNone && now.size() <= crossed.size()) {
+      crossed = std::move(now);
+    } else {
+      patch_ = std::move(before);
+    }
+  }
+
   void ReplaceAround(const std::vector<int32_t>& crossed, const Reach& reach) {
     PatchEdit edit(hole_, patch_);
     const std::vector<Piece> pieces = edit.PiecesOf(Around(edit, crossed, reach));

@@ -7,8 +7,9 @@
 
 namespace tilemend {
 
-// Takes out the triangles that cross (TrianglesCross), and closes what is left open with triangles between the vertices
-// there (sound_triangulation.h). Where that does not lead to a sound part, more is taken out around it, round by round.
+// First moves new points out of the way (move_points.h). Then takes out the triangles that still cross (TrianglesCross),
+// and closes what is left open with triangles between the vertices there (sound_triangulation.h). Where that does not
+// lead to a sound part, more is taken out around it, round by round.
 // The boundary of the patch stays. What cannot be mended stays as it is, and is counted (LocalPatch::crossings).
 // Returns the patch; without points that no triangle has left, if it has changed.
 //   patch  sound otherwise (FaultOf)

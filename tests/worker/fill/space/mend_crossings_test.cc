@@ -130,7 +130,7 @@ TEST_F(MendCrossingsOfTwoTest, TakesOutPiecesTogetherThatCrossEachOther) {
   for (size_t k = 0; k < 2; ++k) {
     const std::vector<int32_t> loop = Loops()[k];
     const bool is_in_ground = hole_.positions[loop[0]].z() == 0;
-    patch.new_points.push_back(is_in_ground ? Point3(0, 4.5, 9.5) : Point3(0, -9.5, -4.5));
+    patch.new_points.push_back(is_in_ground ? Point3(0, 4.5, 9.5) : Point3(0, -40, -35));
     for (size_t i = 0; i < loop.size(); ++i) {
       patch.triangles.push_back({loop[i], loop[(i + 1) % loop.size()], hole_.size() + static_cast<int32_t>(k)});
     }
