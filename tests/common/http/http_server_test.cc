@@ -176,7 +176,7 @@ TEST(HttpServerTest, TwoThousandOpenConnectionsHoldNobodyUp) {
   ASSERT_TRUE(result);
   EXPECT_EQ(result->body, "here");
   char byte = 0;
-  EXPECT_EQ(recv(open[0], &byte, 1, MSG_PEEK | MSG_DONTWAIT), -1) << "was closed before the answer came";
+  EXPECT_EQ(recv(open.back(), &byte, 1, MSG_PEEK | MSG_DONTWAIT), -1) << "was closed before the answer came";
   for (const int fd : open) close(fd);
 }
 
