@@ -7,7 +7,8 @@
 #   services_test   services, GoogleTest
 #
 # An object library with an empty source compiles each set once, when the first target that needs it is built. GCC takes a
-# precompiled header only with the flags that it was compiled with: -pthread is among them for every target.
+# precompiled header only with the flags that it was compiled with: -pthread is among them for every target, and -O1 in
+# release (tilemend_optimise).
 set(TILEMEND_STD_HEADERS
   <algorithm> <array> <atomic> <chrono> <cmath> <condition_variable> <cstddef> <cstdint> <cstdlib> <cstring> <deque>
   <filesystem> <functional> <iterator> <limits> <map> <memory> <mutex> <numbers> <numeric> <optional> <queue> <random>
@@ -30,9 +31,7 @@ function(tilemend_precompile_set set)
   add_library(tilemend_headers_${set} OBJECT EXCLUDE_FROM_ALL ${source})
   tilemend_settings(tilemend_headers_${set})
   target_link_libraries(tilemend_headers_${set} PRIVATE ${ARG_DEPS})
-  if(set MATCHES "test$")
-    target_compile_options(tilemend_headers_${set} PRIVATE $<$<CONFIG:Release>:-O1>)  # as tests are
-  endif()
+  tilemend_optimise(tilemend_headers_${set} ${set})
   target_precompile_headers(tilemend_headers_${set} PRIVATE ${TILEMEND_${upper}_HEADERS})
 endfunction()
 

@@ -7,7 +7,7 @@
 # BATCH: how many sources are compiled as one with TILEMEND_UNITY; 8 by default, 6 for tests, 1 for none.
 # ALONE: sources that are in no batch, since they define a name that another source of the target defines.
 #
-# Tests are compiled with -O1 in release: what they test is not, and to optimise their bodies takes longer than to run them.
+# In release, services and tests are compiled with -O1 (docs/decisions/2026-11-26-build-time.md).
 # Floating-point contraction is off everywhere: the bytes of an output must not depend on the instruction set.
 function(tilemend_settings target)
   target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR})
@@ -15,12 +15,21 @@ function(tilemend_settings target)
   target_compile_options(${target} PRIVATE -ffp-contract=off -pthread ${TILEMEND_WARNINGS})
 endfunction()
 
-# Precompiled headers and batches of TARGET.
+# How much TARGET, with the headers of SET, is optimised in release.
+function(tilemend_optimise target set)
+  if(set MATCHES "services|test$")
+    # GCC 12 warns of arrays and strings that it takes for too short at -O1. clang-tidy does not know all of these names.
+    target_compile_options(${target} PRIVATE "$<$<CONFIG:Release>:-O1;-Wno-unknown-warning-option;-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow;-Wno-stringop-overread>")
+  endif()
+endfunction()
+
+# Precompiled headers, batches and optimisation of TARGET.
 function(tilemend_cheaper target default_set set batch)
   if(NOT set)
     set(set ${default_set})
   endif()
   tilemend_use_headers(${target} ${set})
+  tilemend_optimise(${target} ${set})
   if(NOT batch)
     set(batch 8)
   endif()
@@ -59,8 +68,6 @@ function(tilemend_test name)
   add_executable(${name} ${ARG_SOURCES} ${ARG_ALONE})
   set_source_files_properties(${ARG_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   tilemend_settings(${name})
-  # GCC 12 warns of strings that it takes for too short at -O1 alone. clang-tidy does not know all of these names.
-  target_compile_options(${name} PRIVATE "$<$<CONFIG:Release>:-O1;-Wno-unknown-warning-option;-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow;-Wno-stringop-overread>")
   tilemend_cheaper(${name} test "${ARG_PCH}" "${ARG_BATCH}")
   target_link_libraries(${name} PRIVATE ${ARG_DEPS} GTest::gmock GTest::gtest_main)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
