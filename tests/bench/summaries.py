@@ -30,6 +30,11 @@ def span(rows, column):
     return low if low == high else f'{low} to {high}'
 
 
+def average(rows, column):
+    """Rounded up, to two places."""
+    return measure.up(sum(number(row[column]) for row in rows) / len(rows), 2)
+
+
 def grouped(rows, key):
     groups = {}
     for row in rows:
@@ -62,10 +67,13 @@ def partition(table):
 
 
 def street(table):
+    """Overlap and step are not of rows where the cut does not reach the strip of two tiles (0)."""
     (_, *rows), _ = cells_of(table)
-    short = [[level, len(of), smallest(of, 3), largest(of, 4), smallest(of, 5), largest(of, 6), largest(of, 7), span(of, 8), span(of, 9), sum(row[10] == 'none' for row in of)]
-             for level, of in grouped(rows, lambda row: row[0]).items()]
-    return measure.table(['level', 'cuts', 'covered', 'no surface', 'overlap', 'step, m', 'two fills', 'error mean, m', 'error 95 %, m', 'all goals met'], short)
+    short = [[level, len(of), largest(of, 4), largest(of, 6), largest(of, 7), span(of, 8), average(of, 8), span(of, 9), average(of, 9),
+              span(of, 10), span(of, 11), span(of, 12)] for level, of in grouped(rows, lambda row: row[0]).items()]
+    heads = ['level', 'cuts', 'no surface', 'step, m', 'two fills', 'error mean, m', 'average', 'error 95 %, m', 'average', 'open edges', 'crossings',
+             'new triangles']
+    return measure.table(heads, short)
 
 
 def surface(table):

@@ -29,7 +29,7 @@ std::map<double, double> LowestHeights(const SurveyRecord& record, int axis,
   std::vector<Eigen::AlignedBox3d> boxes;
   for (const BoundaryEdge& e : record.edges) {
     const Point3 &from = record.vertices[e.from].position, &to = record.vertices[e.to].position;
-    if (!beyond(from) || !beyond(to)) continue;
+    if (!beyond(from) || !beyond(to) || from[axis] == to[axis]) continue;
     edges.push_back({in_profile(from), in_profile(to)});
     Eigen::AlignedBox3d& box = boxes.emplace_back();
     for (const Point2& p : {edges.back().from, edges.back().to}) box.extend(Point3(p.x(), p.y(), 0));
