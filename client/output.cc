@@ -39,9 +39,10 @@ std::string AgeText(const google::protobuf::Timestamp& time) {
   return age < absl::Milliseconds(500) ? "0 s" : DurationText(age);
 }
 
-// As people say it: a job that is paused does not run.
+// As people say it: a job that is paused, or for which there is no worker, does not run.
 std::string StateText(const v1::Job& job) {
-  return job.paused() && job.state() == v1::RUNNING ? "paused" : StateName(job.state());
+  if (job.state() != v1::RUNNING) return StateName(job.state());
+  return job.paused() ? "paused" : job.waiting().empty() ? "running" : "waiting";
 }
 
 // Likewise: a worker that gets tasks and holds none is idle.

@@ -7,7 +7,7 @@
 # BATCH: how many sources are compiled as one with TILEMEND_UNITY; 8 by default, 6 for tests, 1 for none.
 # ALONE: sources that are in no batch, since they define a name that another source of the target defines.
 #
-# In release, services and tests are compiled with -O1 (docs/decisions/2026-11-26-build-time.md).
+# In release, tests and what includes gRPC's headers are compiled with -O1 (docs/decisions/2026-11-26-build-time.md).
 # Floating-point contraction is off everywhere: the bytes of an output must not depend on the instruction set.
 function(tilemend_settings target)
   target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR})

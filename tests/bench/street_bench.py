@@ -49,13 +49,15 @@ def row(bin_folder, folder, level, seed):
     measure.Run([sys.executable, os.path.join(scene_tools.folder(), 'check_city.py'), scene, out, '--json', found],
                 accept=(0, 1))
     r = scene_tools.read_json(found)
-    # Exit code 100 tells of a fault.
-    checked = json.loads(subprocess.run([os.path.join(bin_folder, 'tilemend'), 'check', scene, out, '-o', 'json'], check=False,
-                                        capture_output=True, text=True).stdout)
+    check = subprocess.run([os.path.join(bin_folder, 'tilemend'), 'check', scene, out, '-o', 'json'], check=False,
+                           capture_output=True, text=True)
+    if check.returncode not in (0, 100):  # 100 tells of a fault
+        sys.exit(f'check: exit code {check.returncode}\n{check.stderr}')
+    checked = json.loads(check.stdout)
     count = {name: finding['count'] for name, finding in checked['findings'].items()}
     points = len(np.load(os.path.join(scene, 'ground.npz'))['points'])
     return [level, seed, f'{points:,}', measure.down(r['covered'], 4), bare(scene, out), measure.down(r['overlap'], 4),
-            measure.up(r.get('step 99 %, m', 0), 3), measure.up(r['double'], 4), measure.up(r['error mean, m'], 2),
+            measure.up(r['step 99 %, m'], 3) if 'step 99 %, m' in r else '-', measure.up(r['double'], 4), measure.up(r['error mean, m'], 2),
             measure.up(r['error 95 %, m'], 2), count['open_edges'], count['crossed_fills'] + count['crossed_surface'],
             checked['new_triangles']]
 

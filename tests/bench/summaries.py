@@ -31,7 +31,7 @@ def span(rows, column):
 
 
 def average(rows, column):
-    """Rounded up, to two places."""
+    """Of rounded cells; rounded up, to two places."""
     return measure.up(sum(number(row[column]) for row in rows) / len(rows), 2)
 
 
@@ -67,11 +67,10 @@ def partition(table):
 
 
 def street(table):
-    """Overlap and step are not of rows where the cut does not reach the strip of two tiles (0)."""
     (_, *rows), _ = cells_of(table)
-    short = [[level, len(of), largest(of, 4), largest(of, 6), largest(of, 7), span(of, 8), average(of, 8), span(of, 9), average(of, 9),
+    short = [[level, len(of), largest(of, 4), largest([row for row in of if row[6] != '-'], 6), largest(of, 7), span(of, 8), average(of, 8), span(of, 9), average(of, 9),
               span(of, 10), span(of, 11), span(of, 12)] for level, of in grouped(rows, lambda row: row[0]).items()]
-    heads = ['level', 'cuts', 'no surface', 'step, m', 'two fills', 'error mean, m', 'average', 'error 95 %, m', 'average', 'open edges', 'crossings',
+    heads = ['level', 'cuts', 'no surface', 'step, m', 'two fills', 'error mean, m', 'its average', 'error 95 %, m', 'its average', 'open edges', 'crossings',
              'new triangles']
     return measure.table(heads, short)
 

@@ -58,6 +58,9 @@ TEST(OutputTest, StatesAreInWordsOfPeople) {
   EXPECT_THAT(WorkersText({worker}, OutputFormat::kTable), testing::HasSubstr("set aside"));
   v1::Job job;
   job.set_state(v1::RUNNING);
+  EXPECT_THAT(JobText(job, OutputFormat::kTable), testing::HasSubstr("running"));
+  job.set_waiting("no worker is connected");
+  EXPECT_THAT(JobText(job, OutputFormat::kTable), testing::Not(testing::HasSubstr("running")));
   job.set_paused(true);
   EXPECT_THAT(JobText(job, OutputFormat::kTable), testing::HasSubstr("paused"));
   job.set_state(v1::CANCELLED);

@@ -69,7 +69,7 @@ bool PlaceInFolded(const HoleSite& site, const ClosedLoop& outline, OpenHoles& o
   for (PlannedHole& hole : open.holes) {
     if (hole.projects || !hole.failure.empty() || !WindAround(hole.segments, p, site.position)) continue;
     hole.segments.insert(hole.segments.end(), outline.segments.begin(), outline.segments.end());
-    hole.area += outline.vector_area.z();
+    hole.area = std::abs(VectorArea(hole.segments, site.position).z());  // folds may make the piece the larger one
     return true;
   }
   return false;
@@ -102,7 +102,7 @@ PlannedHole PlanClosed(const HoleSite& site, CellId cell, const ClosedHole& clos
     const Eigen::Vector3d area = VectorArea(island, site.position);
     hole.area -= hole.projects ? -area.z() : area.norm();
   }
-  if (!hole.projects) hole.area = std::abs(hole.area);  // in space either loop may be the longer one
+  hole.area = std::abs(hole.area);  // a piece may be larger than the loop around it: in space, or where that folds
   return hole;
 }
 

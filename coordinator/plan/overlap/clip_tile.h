@@ -34,9 +34,9 @@ struct ClipVertex {
 
 // What lies on one side of the square.
 struct SideCover {
-  std::map<double, int> step;       // along the side: how much more surface there is from here on
-  std::map<double, int> of_tile;    // the same of the tile's surface alone, without what is outside the area
-  // Of the tile's own vertices beyond the side, by where they are along it. Not of those above another edge of the tile:
+  std::map<double, int> step;     // along the side: how much more surface there is from here on
+  std::map<double, int> of_tile;  // the same of the tile's surface alone, without what is outside the area
+  // Of the tile's own vertices beyond the side, by where they are along it. Not of those above another edge beyond it:
   // a hole ends at the lowest surface there.
   std::map<double, double> height;
 };

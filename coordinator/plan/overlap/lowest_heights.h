@@ -11,10 +11,11 @@
 namespace tilemend {
 
 // Of the boundary's vertices beyond the line: their heights, by their coordinate along it. Vertices above another edge
-// beyond the line are left out, as of an eave over the street: a hole ends at the lowest surface there.
+// beyond the line are left out (kMeetTolerance), as of an eave over the street: a hole ends at the lowest surface
+// there.
 //   axis    0: the line runs along x, 1: along y
 //   beyond  whether a point lies beyond the line
-// O(n log n) where few edges lie one over the other.
+// O(n log^2 n).
 std::map<double, double> LowestHeights(const SurveyRecord& record, int axis,
                                        const std::function<bool(const Point3&)>& beyond);
 

@@ -29,14 +29,6 @@ Bounds BoundsOf(std::span<const PlaneSegment> segments) {
   return box;
 }
 
-std::vector<PlaneSegment> SegmentsOf(const WaterArea& area) {
-  std::vector<PlaneSegment> segments;
-  for (const std::vector<Point2>& ring : area.polygon.rings) {
-    for (size_t i = 0; i < ring.size(); ++i) segments.emplace_back(ring[i], ring[(i + 1) % ring.size()]);
-  }
-  return segments;
-}
-
 // Where the line at `y` crosses the segments, ascending: an even number of places for closed boundaries.
 std::vector<double> Crossings(std::span<const PlaneSegment> segments, double y) {
   std::vector<double> at;
@@ -176,6 +168,14 @@ class JointDecision {
 };
 
 }  // namespace
+
+std::vector<PlaneSegment> SegmentsOf(const WaterArea& area) {
+  std::vector<PlaneSegment> segments;
+  for (const std::vector<Point2>& ring : area.polygon.rings) {
+    for (size_t i = 0; i < ring.size(); ++i) segments.emplace_back(ring[i], ring[(i + 1) % ring.size()]);
+  }
+  return segments;
+}
 
 bool SayTheSame(const WaterArea& a, const WaterArea& b) {
   if (SayingOf(a) != SayingOf(b) || !a.centreline.empty() || !b.centreline.empty()) return false;

@@ -34,6 +34,9 @@ struct DecidingArea {
 
 using PlaneSegment = std::pair<Point2, Point2>;
 
+// The rings of the area's polygon.
+std::vector<PlaneSegment> SegmentsOf(const WaterArea& area);
+
 // Asked in loops whose length a file of the user's decides. Once true, results are not to be used. None: never.
 using IsCancelled = std::function<bool()>;
 

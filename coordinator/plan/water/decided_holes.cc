@@ -1,6 +1,9 @@
 #include "coordinator/plan/water/decided_holes.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include "coordinator/plan/types/left_reasons.h"
 #include "coordinator/plan/water/area_index.h"
@@ -11,15 +14,58 @@ namespace {
 
 bool IsDecision(const WaterArea& area) { return area.decision != ReviewDecision::kNone; }
 
+// A cluster of open holes, or a closed hole, and what the areas cover of it.
+struct CoveredGroup {
+  std::vector<int32_t> holes;
+  CoverLines region;
+  std::vector<AreaShare> shares;
+};
+
+std::vector<CoveredGroup> CoveredGroups(const AreaIndex& index, const Plan& plan) {
+  std::vector<CoveredGroup> groups;
+  for (std::vector<int32_t>& holes : GroupAllHoles(plan)) {
+    if (index.cancelled()) return {};
+    CoverLines region(BoundaryOf(plan, holes));
+    std::vector<AreaShare> shares = index.SharesOf(region, IsDecision);
+    if (!shares.empty()) groups.push_back({std::move(holes), std::move(region), std::move(shares)});
+  }
+  return groups;
+}
+
+// Leaves areas out of groups that they are not about.
+void DropOthers(const std::vector<WaterArea>& areas, const AreaIndex& index, const Plan& plan,
+                std::vector<CoveredGroup>& groups) {
+  struct Most {
+    double share = kDecidingShare;  // of the area
+    const CoveredGroup* group = nullptr;
+  };
+  std::vector<Most> most(areas.size());
+  std::map<size_t, CoverLines> lines;  // of the areas
+  for (const CoveredGroup& group : groups) {
+    const std::vector<PlaneSegment> boundary = BoundaryOf(plan, group.holes);
+    for (const AreaShare& s : group.shares) {
+      if (index.cancelled()) return;
+      if (!lines.contains(s.area)) lines.emplace(s.area, SegmentsOf(areas[s.area]));
+      const double share = lines.at(s.area).ShareIn(boundary);
+      if (share > most[s.area].share) most[s.area] = {share, &group};
+    }
+  }
+  for (CoveredGroup& group : groups) {
+    std::erase_if(group.shares,
+                  [&](const AreaShare& s) { return most[s.area].group != nullptr && most[s.area].group != &group; });
+  }
+}
+
 }  // namespace
 
 void DecideHoles(const std::vector<WaterArea>& areas, Plan& plan, const std::function<bool()>& is_cancelled) {
   if (std::ranges::none_of(areas, IsDecision)) return;
   const AreaIndex index(areas, is_cancelled);
-  for (const std::vector<int32_t>& holes : GroupAllHoles(plan)) {
+  std::vector<CoveredGroup> groups = CoveredGroups(index, plan);
+  DropOthers(areas, index, plan, groups);
+  for (const auto& [holes, region, shares] : groups) {
     if (index.cancelled()) return;
-    const CoverLines region(BoundaryOf(plan, holes));
-    const auto deciding = index.DeciderOf(region, index.SharesOf(region, IsDecision));
+    const auto deciding = index.DeciderOf(region, shares);
     if (!deciding) continue;
     for (const int32_t h : holes) {
       PlannedHole& hole = plan.holes[h];

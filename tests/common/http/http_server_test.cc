@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <memory>
 #include <string>
 #include <utility>
@@ -177,6 +178,7 @@ TEST(HttpServerTest, TwoThousandOpenConnectionsHoldNobodyUp) {
   EXPECT_EQ(result->body, "here");
   char byte = 0;
   EXPECT_EQ(recv(open.back(), &byte, 1, MSG_PEEK | MSG_DONTWAIT), -1) << "was closed before the answer came";
+  EXPECT_EQ(errno, EAGAIN);
   for (const int fd : open) close(fd);
 }
 

@@ -54,6 +54,21 @@ class DecideHolesTest : public ::testing::Test {
   Plan plan_;
 };
 
+TEST_F(DecideHolesTest, ADecisionOnOneHoleIsNotOnThoseAboveIt) {
+  AddHole(HoleKind::kClosed, BoxOf(2, 4), -1);    // in a roof above the lake
+  AddHole(HoleKind::kClosed, BoxOf(52, 59), -1);  // above the closed hole, and nearly as large
+  const WaterArea lake = Decision(ReviewDecision::kOpen, 0, 20), hole = Decision(ReviewDecision::kOpen, 50, 60);
+  EXPECT_EQ(Decide({lake, hole}), (std::vector{0, 1, 0, -1, -1}));
+  EXPECT_EQ(plan_.holes[3].failure, "");
+  EXPECT_EQ(plan_.holes[4].failure, "");
+}
+
+TEST_F(DecideHolesTest, ADecisionOnManyHolesIsOnEach) {
+  AddHole(HoleKind::kClosed, BoxOf(22, 24), -1);
+  AddHole(HoleKind::kClosed, BoxOf(30, 32), -1);
+  EXPECT_EQ(Decide({Decision(ReviewDecision::kOpen, -5, 100)}), (std::vector{0, 0, 0, 0, 0}));
+}
+
 TEST_F(DecideHolesTest, ADecisionIsOnAllHolesOfACluster) {
   EXPECT_EQ(Decide({Decision(ReviewDecision::kGround, 0, 20)}), (std::vector{0, -1, 0}));
   for (const PlannedHole& hole : plan_.holes) EXPECT_EQ(hole.failure, "");
