@@ -19,11 +19,9 @@ std::optional<S3Credentials> CredentialsInFile(const std::string& text, const st
 // Gives the first that there is of:
 //  1. AWS_ACCESS_KEY_ID, AWS_SECRET_ACCESS_KEY, AWS_SESSION_TOKEN;
 //  2. the profile AWS_PROFILE (default) of AWS_SHARED_CREDENTIALS_FILE (~/.aws/credentials), read again each minute;
-//  3. a role (s3_roles.h): of the web identity or the container that the environment names, else of the machine. If
-//  that
-//     fails, no other is taken: it may have other rights. Credentials of roles are asked for
-//  again
-//     five minutes before they expire. Until then the old ones are used if that fails.
+//  3. a role (s3_roles.h): of the web identity or the container that the environment names, else of the machine.
+// If the role of 3 fails, no other is taken: it may have other rights. Credentials of roles are asked for again five
+// minutes before they expire. Until then the old ones are used if that fails.
 // Thread-safe.
 class S3CredentialSource {
  public:

@@ -5,9 +5,9 @@
 
 Each row is a cut through the tiles of one level of detail: the ground of a strip and of ellipses over five cells of 100 m, so
 that houses and trees stand around the hole. What is measured is check_city.py's, and what `tilemend check` finds: new open
-edges, and new triangles that cross others. Where points are not covered, or both fills do not cover the strip of two tiles, the tile may have
-surface of its own: a cut takes triangles away by their middles, and a long one reaches into the hole. *No surface* counts
-the points over which the tile of their cell has neither. Needs numpy and scipy.
+edges, and new triangles that cross others. Where points are not covered, or both fills do not cover the strip of two tiles,
+the tile may have surface of its own: a cut takes triangles away by their middles, and a long one reaches into the hole. *No
+surface* counts the points over which the tile of their cell has neither. Needs numpy and scipy.
 """
 import argparse
 import json

@@ -14,9 +14,10 @@ namespace {
 
 bool IsDecision(const WaterArea& area) { return area.decision != ReviewDecision::kNone; }
 
-// A cluster of open holes, or a closed hole, and what the areas cover of it.
+// A cluster of open holes, or a closed hole, its boundary seen from above, and what the areas cover of it.
 struct CoveredGroup {
   std::vector<int32_t> holes;
+  std::vector<PlaneSegment> boundary;
   CoverLines region;
   std::vector<AreaShare> shares;
 };
@@ -25,16 +26,17 @@ std::vector<CoveredGroup> CoveredGroups(const AreaIndex& index, const Plan& plan
   std::vector<CoveredGroup> groups;
   for (std::vector<int32_t>& holes : GroupAllHoles(plan)) {
     if (index.cancelled()) return {};
-    CoverLines region(BoundaryOf(plan, holes));
+    std::vector<PlaneSegment> boundary = BoundaryOf(plan, holes);
+    CoverLines region(boundary);
     std::vector<AreaShare> shares = index.SharesOf(region, IsDecision);
-    if (!shares.empty()) groups.push_back({std::move(holes), std::move(region), std::move(shares)});
+    if (!shares.empty())
+      groups.push_back({std::move(holes), std::move(boundary), std::move(region), std::move(shares)});
   }
   return groups;
 }
 
 // Leaves areas out of groups that they are not about.
-void DropOthers(const std::vector<WaterArea>& areas, const AreaIndex& index, const Plan& plan,
-                std::vector<CoveredGroup>& groups) {
+void DropOthers(const std::vector<WaterArea>& areas, const AreaIndex& index, std::vector<CoveredGroup>& groups) {
   struct Most {
     double share = kDecidingShare;  // of the area
     const CoveredGroup* group = nullptr;
@@ -42,11 +44,10 @@ void DropOthers(const std::vector<WaterArea>& areas, const AreaIndex& index, con
   std::vector<Most> most(areas.size());
   std::map<size_t, CoverLines> lines;  // of the areas
   for (const CoveredGroup& group : groups) {
-    const std::vector<PlaneSegment> boundary = BoundaryOf(plan, group.holes);
     for (const AreaShare& s : group.shares) {
       if (index.cancelled()) return;
       if (!lines.contains(s.area)) lines.emplace(s.area, SegmentsOf(areas[s.area]));
-      const double share = lines.at(s.area).ShareIn(boundary);
+      const double share = lines.at(s.area).ShareIn(group.boundary);
       if (share > most[s.area].share) most[s.area] = {share, &group};
     }
   }
@@ -62,12 +63,12 @@ void DecideHoles(const std::vector<WaterArea>& areas, Plan& plan, const std::fun
   if (std::ranges::none_of(areas, IsDecision)) return;
   const AreaIndex index(areas, is_cancelled);
   std::vector<CoveredGroup> groups = CoveredGroups(index, plan);
-  DropOthers(areas, index, plan, groups);
-  for (const auto& [holes, region, shares] : groups) {
+  DropOthers(areas, index, groups);
+  for (const CoveredGroup& group : groups) {
     if (index.cancelled()) return;
-    const auto deciding = index.DeciderOf(region, shares);
+    const auto deciding = index.DeciderOf(group.region, group.shares);
     if (!deciding) continue;
-    for (const int32_t h : holes) {
+    for (const int32_t h : group.holes) {
       PlannedHole& hole = plan.holes[h];
       plan.decisions[h] = static_cast<int32_t>(deciding->area);
       const bool is_open = areas[deciding->area].decision == ReviewDecision::kOpen;

@@ -41,18 +41,6 @@ constexpr size_t kLongestLoop = 60;
 // Of the mean edge of what is taken out: how far surface that faces up may move there along the vertical.
 constexpr double kMostOff = 0.25;
 
-// Of the triangle over p, along the vertical; infinity where it lies neither over nor under p.
-double HeightOver(const SpaceTriangle& t, const Point3& p) {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  const auto normal = TwiceVectorArea(t);
-  if (normal.z() == 0) return kNone;
-  for (int k = 0; k < 3; ++k) {
-    const Point2 side = (t[(k + 1) % 3] - t[k]).head<2>(), to = (p - t[k]).head<2>();
-    if ((side.x() * to.y() - side.y() * to.x()) * normal.z() < 0) return kNone;
-  }
-  return normal.dot(t[0] - p) / normal.z();
-}
-
 // A loop that passes its bridges to and fro.
 struct BridgedLoop {
   VertexLoop loop;
@@ -308,7 +296,8 @@ class CrossingMender {
     const double most = kMostOff * edges / static_cast<double>(piece.size());
     return std::ranges::all_of(inner, [&](int32_t v) {
       for (int32_t t = first; t < edit.count(); ++t) {
-        if (std::abs(HeightOver(edit.Placed(t), edit.At(v))) <= most) return true;
+        const std::optional<double> height = HeightOver(edit.Placed(t), edit.At(v));
+        if (height && std::abs(*height) <= most) return true;
       }
       return false;
     });

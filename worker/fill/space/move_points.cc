@@ -37,15 +37,9 @@ constexpr double kMaxOff = 0.25;
 constexpr int64_t kMaxTests = 20'000'000;
 constexpr size_t kMaxAround = 64;
 
-// Where p is above or below a triangle that faces up: the triangle's height above p.
-std::optional<double> HeightOver(const SpaceTriangle& t, const Point3& p) {
-  const Eigen::Vector3d normal = TwiceVectorArea(t);
-  if (normal.z() <= kFacesUp * normal.norm()) return std::nullopt;
-  for (int k = 0; k < 3; ++k) {
-    const Point2 side = (t[(k + 1) % 3] - t[k]).head<2>(), to = (p - t[k]).head<2>();
-    if (side.x() * to.y() - side.y() * to.x() < 0) return std::nullopt;
-  }
-  return normal.dot(t[0] - p) / normal.z();
+// HeightOver of a triangle that faces up.
+std::optional<double> GroundOver(const SpaceTriangle& t, const Point3& p) {
+  return FacesUp(t) ? HeightOver(t, p) : std::nullopt;
 }
 
 struct IsBefore {
@@ -166,7 +160,7 @@ class PointMover {
   Point3 OnSurface(int32_t point, const Point3& p) const {
     if (is_water_[point]) return {p.x(), p.y(), *hole_.WaterLevelAt(p.head<2>())};
     for (const int32_t t : at_point_[point]) {
-      if (const std::optional<double> height = HeightOver(placed_[t], p)) return p + Point3(0, 0, *height);
+      if (const std::optional<double> height = GroundOver(placed_[t], p)) return p + Point3(0, 0, *height);
     }
     return p;
   }
@@ -181,7 +175,7 @@ class PointMover {
     for (size_t k = 0; k < around.size(); ++k) {
       const Eigen::Vector3d before = TwiceVectorArea(placed_[around[k]]), after = TwiceVectorArea(star[k]);
       if (!HasArea(star[k]) || before.dot(after) <= 0) return false;
-      if (before.z() > kFacesUp * before.norm() && after.z() <= kFacesUp * after.norm()) return false;
+      if (FacesUp(placed_[around[k]]) && !FacesUp(star[k])) return false;
     }
     return true;
   }
@@ -189,7 +183,7 @@ class PointMover {
   // Whether what faces up is still near where the point was.
   static bool KeepsHeight(const Point3& from, double way, std::span<const SpaceTriangle> star) {
     return std::ranges::all_of(star, [&](const SpaceTriangle& t) {
-      const std::optional<double> height = HeightOver(t, from);
+      const std::optional<double> height = GroundOver(t, from);
       return !height || std::abs(*height) <= kMaxOff * way;
     });
   }

@@ -16,6 +16,21 @@ BoxTree TreeOver(std::span<const SpaceTriangle> triangles) {
   return BoxTree(boxes);
 }
 
+bool FacesUp(const SpaceTriangle& triangle) {
+  const Eigen::Vector3d normal = TwiceVectorArea(triangle);
+  return normal.z() > kFacesUp * normal.norm();
+}
+
+std::optional<double> HeightOver(const SpaceTriangle& triangle, const Point3& p) {
+  const Eigen::Vector3d normal = TwiceVectorArea(triangle);
+  if (normal.z() == 0) return std::nullopt;
+  for (int k = 0; k < 3; ++k) {
+    const Point2 side = (triangle[(k + 1) % 3] - triangle[k]).head<2>(), to = (p - triangle[k]).head<2>();
+    if ((side.x() * to.y() - side.y() * to.x()) * normal.z() < 0) return std::nullopt;
+  }
+  return normal.dot(triangle[0] - p) / normal.z();
+}
+
 PatchEdit::PatchEdit(const LocalHole& hole, LocalPatch& patch) : hole_(hole), patch_(patch) {
   for (const Triangle& t : patch.triangles) placed_.push_back(Place(t));
   for (int32_t t = 0; t < count(); ++t) AddEdges(t);
@@ -55,11 +70,6 @@ void PatchEdit::PutIn(const Triangle& t) {
   placed_.push_back(Place(t));
   is_gone_.push_back(false);
   AddEdges(count() - 1);
-}
-
-bool PatchEdit::FacesUp(int32_t t) const {
-  const Eigen::Vector3d normal = TwiceVectorArea(placed_[t]);
-  return normal.z() > kFacesUp * normal.norm();
 }
 
 bool PatchEdit::HasOverfullEdge(int32_t t) const {

@@ -17,6 +17,10 @@ namespace tilemend {
 using Piece = std::vector<int32_t>;  // triangles that hang together at edges, rising
 
 inline constexpr double kFacesUp = 0.5;  // cosine
+bool FacesUp(const SpaceTriangle& triangle);
+
+// How far a triangle is above p, along the vertical; nullopt where it is neither above nor below p.
+std::optional<double> HeightOver(const SpaceTriangle& triangle, const Point3& p);
 
 // Over the boxes of triangles.
 BoxTree TreeOver(std::span<const SpaceTriangle> triangles);
@@ -43,7 +47,7 @@ class PatchEdit {
   void TakeOutFrom(int32_t first);
   void PutBack(int32_t t);
 
-  bool FacesUp(int32_t t) const;
+  bool FacesUp(int32_t t) const { return tilemend::FacesUp(placed_[t]); }
 
   // Whether a triangle has an edge with more than two, those of the surface counted.
   bool HasOverfullEdge(int32_t t) const;

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <random>
 #include <vector>
 
 namespace tilemend {
@@ -61,6 +63,34 @@ TEST_F(LowestHeightsTest, TakesTheLowerOfTwoVerticesInOnePlace) {
   AddPiece(0, 9, 1);
   AddPiece(0, 9, 6);
   EXPECT_THAT(AtNorth(), ElementsAre(Pair(0, 1), Pair(9, 1)));
+}
+
+// Edges that cross each other, against all vertices over all edges.
+TEST_F(LowestHeightsTest, IsTheSameAsLookingAtEachPairOfVertexAndEdge) {
+  std::mt19937 random(1);
+  const auto next = [&](int32_t count) { return static_cast<double>(random() % static_cast<uint32_t>(count)); };
+  for (int round = 0; round < 20; ++round) {
+    record_ = {};
+    for (int k = 0; k < 40; ++k) {
+      const double from = next(50), height = next(100);
+      Add({{from, 10, height}, {from + 1 + next(20), 11, next(100)}, {from, 0, height}});
+    }
+    std::map<double, double> expected;
+    for (const BoundaryVertex& v : record_.vertices) {
+      if (v.position.y() < 10) continue;
+      const double t = v.position.x(), z = v.position.z();
+      const bool is_above = std::ranges::any_of(record_.edges, [&](const BoundaryEdge& e) {
+        const Point3 &a = record_.vertices[e.from].position, &b = record_.vertices[e.to].position;
+        const double share = (t - a.x()) / (b.x() - a.x());
+        return a.y() >= 10 && b.y() >= 10 && share > 0 && share < 1 && a.z() + share * (b.z() - a.z()) < z - 0.002;
+      });
+      if (is_above) continue;
+      double& lowest = expected.emplace(t, z).first->second;
+      lowest = std::min(lowest, z);
+    }
+    EXPECT_EQ(AtNorth(), expected);
+    EXPECT_LT(expected.size(), 45) << "some are left out";
+  }
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ class MovePointsTest : public testing::Test {
     for (const RegionSegment& s : hole_.segments) patch_.triangles.push_back({s.from, s.to, hole_.size()});
   }
 
-  // Moves the tip off a needle that stands there, and returns the triangles that cross it yet.
+  // Moves the tip off a needle that stands there, and returns the triangles that still cross it.
   std::vector<int32_t> MoveOff(double lowest, double highest) {
     const std::vector<SpaceTriangle> needle = {
         {Point3(0, -5, lowest), Point3(0.01, -5, lowest), Point3(0, -5, highest)}};
