@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "coordinator/plan/water/hole_groups.h"
+#include "coordinator/plan/water/hole_parts.h"
 
 namespace tilemend {
 namespace {
@@ -52,6 +53,7 @@ void MarkObjects(Plan& plan) {
     const std::vector<int32_t> rim = RimVerticesOf(plan, holes);
     if (std::ranges::all_of(rim, [&](int32_t v) { return plan.vertices[v].on_object; })) continue;
     for (const int32_t v : rim) counts[v] = true;
+    for (const int32_t v : VerticesShutOff(plan, holes)) counts[v] = false;
   }
   for (size_t v = 0; v < counts.size(); ++v) {
     if (counts[v]) continue;

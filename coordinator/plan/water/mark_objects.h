@@ -8,9 +8,9 @@ namespace tilemend {
 
 // Leaves PlanVertex::on_object and PlanVertex::ground to the original vertices on the rims of open clusters, and of
 // closed holes that face up. If all vertices of such a rim stand on objects, none keeps them. A hole in a roof or a
-// crown is filled as these go on. Lowers the sizes of vertices on objects to the lengths of their edges seen from
-// above. Sets PlannedHole::in_ground of those closed holes most of whose original vertices lie on the ground. Cost O(n
-// log n) in the holes' segments.
+// crown is filled as these go on. Nor do those of a part that objects shut off (hole_parts.h). Lowers the sizes of
+// vertices on objects to the lengths of their edges seen from above. Sets PlannedHole::in_ground of those closed holes
+// most of whose original vertices lie on the ground. Cost O(n log n) in the holes' segments.
 void MarkObjects(Plan& plan);
 
 }  // namespace tilemend
