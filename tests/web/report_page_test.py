@@ -129,6 +129,8 @@ def make_page(folder, program):
     report['warnings'] = ['<img src=x onerror=alert(1)>', '</script><script>alert(2)</script>']
     report['per_hole'][0]['reason'] = '"><svg onload=alert(3)>'
     report['review'] = [review_item(row) for row in report['per_hole']]
+    report['water'] = [{'body': 0, 'kind': 'lake', 'level_m': 1, 'sigma_m': 0.1, 'area_m2': area, 'cells': 1,
+                        'decided_by': 'rim'} for area in (12.34, 0.00001, 0)]
     with open(path, 'w') as file:
         json.dump(report, file)
     done = run(program, 'report', out, '--html')
