@@ -139,6 +139,20 @@ def make_page(folder, program):
     return os.path.join(out, 'report.html')
 
 
+def check_printed(chromium, page, folder):
+    """A browser without a window prints the page as soon as it is loaded: both pictures are there, before and after."""
+    path = os.path.join(folder, 'printed.pdf')
+    done = run(chromium, '--headless', '--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader',
+               '--enable-unsafe-swiftshader', f'--user-data-dir={os.path.join(folder, "profile")}',
+               f'--print-to-pdf={path}', f'file://{page}')
+    if done.returncode or not os.path.exists(path):
+        fail(f'the page was not printed: {done.stdout}')
+    with open(path, 'rb') as file:
+        images = file.read().count(b'/Width 1120')  # and each has a mask
+    if images < 4:
+        fail(f'a PDF that was printed at once has {images} images, not 4')
+
+
 def main():
     folder, program = os.path.abspath(sys.argv[1]), os.path.join(os.path.abspath(sys.argv[2]), 'tilemend')
     install(folder)
@@ -152,6 +166,7 @@ def main():
         size = os.path.getsize(page)
         if size > 1_200_000:
             fail(f'a page with two small pictures has {size} bytes')
+        check_printed(chromium, page, temporary)
         shutil.copy(os.path.join(HERE, 'open_page.mjs'), folder)
         done = run('node', 'open_page.mjs', page, chromium, folder, cwd=folder)
         if done.returncode:
