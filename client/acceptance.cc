@@ -113,7 +113,7 @@ class AcceptanceCheck {
     AcceptanceFinding& finding = result_.findings[kind];
     ++finding.count;
     if (finding.places.size() >= kMostAcceptancePlaces) return;
-    if (!hole && at && kAcceptanceKinds[kind].is_of_fill) hole = numbers_.At(cell, at->head<2>());
+    if (!hole && at && kAcceptanceKinds[kind].is_of_fill) hole = numbers_.At(cell, *at);
     finding.places.push_back({cell, std::move(at), std::move(note), hole});
   }
 

@@ -76,7 +76,9 @@ std::vector<FlagSpec> CheckFlags() {
           {"csv", "FILE", "with OUT: write the places that were found as CSV", ""}};
 }
 
-std::vector<FlagSpec> ReportFlags() { return {{"html", "", "write report.html and holes.csv beside report.json", ""}}; }
+std::vector<FlagSpec> ReportFlags() {
+  return {{"html", "", "write report.html and holes.csv beside report.json, in place of the text", ""}};
+}
 
 // What follows "tilemend ".
 std::vector<std::string> ExamplesOf(const std::string& command) {

@@ -26,14 +26,13 @@ HoleColumns::HoleColumns(const Json& report) {
     area = std::max(area, std::abs(Number(Member(hole, "area_m2"))));
     rim = std::max(rim, Number(Member(hole, "perimeter_m")));
   }
-  area_decimals_ = DecimalsFor(area);
+  area_decimals_ = is_mesh_ ? DecimalsFor(area) : 1;
   rim_decimals_ = DecimalsFor(rim);
 }
 
-std::string HoleColumns::Area(const Json& hole) const {
-  const Json& area = Member(hole, "area_m2");
-  return is_mesh_ && area.is_number() ? Decimals(Json(std::abs(Number(area))), area_decimals_) : AreaText(area);
-}
+std::string HoleColumns::Area(const Json& hole) const { return AreaText(Member(hole, "area_m2"), area_decimals_); }
+
+std::string HoleColumns::Area(double area) const { return AreaText(area, area_decimals_); }
 
 std::string HoleColumns::Rim(const Json& hole) const {
   return Decimals(Member(hole, "perimeter_m"), is_mesh_ ? rim_decimals_ : 1);

@@ -15,16 +15,20 @@ class HoleColumns {
   // Of a report, or of the plan of `inspect`.
   explicit HoleColumns(const nlohmann::ordered_json& report);
 
-  // Of a row of per_hole.
+  // Of a row with area_m2 or perimeter_m, as of per_hole.
   std::string Area(const nlohmann::ordered_json& hole) const;
   std::string Rim(const nlohmann::ordered_json& hole) const;
+
+  // Of an area in square metres.
+  std::string Area(double area) const;
 
   // Table (output.h), for a mesh without the column "cell".
   std::string TableOf(std::vector<std::string> headings, std::vector<std::vector<std::string>> rows) const;
 
  private:
   bool is_mesh_ = false;
-  int area_decimals_ = 1, rim_decimals_ = 1;  // of a mesh
+  int area_decimals_ = 1;
+  int rim_decimals_ = 1;  // of a mesh
 };
 
 }  // namespace tilemend

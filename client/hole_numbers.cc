@@ -1,13 +1,16 @@
 #include "client/hole_numbers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <utility>
+#include <tuple>
 
 #include "common/mesh/segment_distance.h"
 
 namespace tilemend {
 namespace {
+
+constexpr double kAtBoundary = 0.01;  // metres: places are written in millimetres
 
 double DistanceToLines(const std::vector<std::vector<Point2>>& lines, const Point2& p) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -17,6 +20,11 @@ double DistanceToLines(const std::vector<std::vector<Point2>>& lines, const Poin
   return nearest;
 }
 
+// Metres; 0 in the range.
+double DistanceInHeight(const std::optional<ReportedOutput::HeightRange>& range, double height) {
+  return range ? std::max({0.0, range->lowest - height, height - range->highest}) : 0;
+}
+
 }  // namespace
 
 HoleNumbers::HoleNumbers(const ReportedOutput& reported) {
@@ -24,18 +32,25 @@ HoleNumbers::HoleNumbers(const ReportedOutput& reported) {
     const ReportedOutput::RimOwner& owner = reported.filled_rim_owners[r];
     const std::vector<Point2>& rim = reported.filled_rims[r];
     Hole& hole = holes_[owner.cell][owner.hole];
+    const auto heights = reported.filled_heights.find(owner.hole);
+    if (heights != reported.filled_heights.end()) hole.heights = heights->second;
     hole.lines.push_back(rim);
     if (rim.size() > 3 && rim.front() == rim.back()) hole.around.rings.emplace_back(rim.begin(), rim.end() - 1);
   }
 }
 
-std::optional<int64_t> HoleNumbers::At(CellId cell, const Point2& p) const {
+std::optional<int64_t> HoleNumbers::At(CellId cell, const Point3& p) const {
   const auto in_cell = holes_.find(ToString(cell));
   if (in_cell == holes_.end()) return std::nullopt;
   std::optional<int64_t> best;
-  std::pair<bool, double> best_key;  // outside, distance
+  std::tuple<double, double, bool, double> best_key;  // metres; metres in height; outside; metres from the boundary
   for (const auto& [number, hole] : in_cell->second) {
-    const std::pair key(!Contains(hole.around, p), DistanceToLines(hole.lines, p));
+    const bool is_outside = !Contains(hole.around, p.head<2>());
+    const double from_boundary = DistanceToLines(hole.lines, p.head<2>());
+    const double in_height = DistanceInHeight(hole.heights, p.z());
+    const double distance = is_outside ? std::hypot(std::max(0.0, from_boundary - kAtBoundary), in_height)
+                                       : std::max(0.0, in_height - from_boundary);
+    const std::tuple key(distance, in_height, is_outside, from_boundary);
     if (best && key >= best_key) continue;
     best = number;
     best_key = key;

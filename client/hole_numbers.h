@@ -13,19 +13,25 @@
 
 namespace tilemend {
 
-// Finds the filled hole around a place, by the boundaries that an output lists in holes.geojson.
+// Finds the filled hole at a place in space, by the boundaries that an output lists in holes.geojson and the heights of
+// its report.
 class HoleNumbers {
  public:
   // O(points of the boundaries).
   explicit HoleNumbers(const ReportedOutput& reported);
 
-  // The number of the hole of this cell whose boundary goes around p from above; among several, and if none does, the
-  // one whose boundary is nearest. None if no boundary of a filled hole of the cell is known.
+  // The number of the hole of this cell that is nearest to p in space. How far away a hole is goes by two distances:
+  // from above, that to its boundary; 0 if it goes around p or is less than a centimetre away;
+  // in height, that to the range of its rim and its water. Inside, it is 0 up to the distance from above to the
+  // boundary, by which a fill may rise above its rim or sink below it. It is 0 if the heights are not known.
+  // Among holes at the same distance: the one whose range is nearest in height, then one around p, then the one whose
+  // boundary is nearest from above. None if no boundary of a filled hole of the cell is known.
   // O(points of the cell's boundaries).
-  std::optional<int64_t> At(CellId cell, const Point2& p) const;
+  std::optional<int64_t> At(CellId cell, const Point3& p) const;
 
  private:
   struct Hole {
+    std::optional<ReportedOutput::HeightRange> heights = {};
     PlanePolygon around = {};                     // empty: the boundary is not closed
     std::vector<std::vector<Point2>> lines = {};  // the boundary
   };

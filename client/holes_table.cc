@@ -45,8 +45,8 @@ void Add(const Json& hole, Tally& tally) {
   tally.area += std::abs(Number(Member(hole, "area_m2")));
 }
 
-std::vector<std::string> Row(const std::string& name, const Tally& tally) {
-  return {name, absl::StrCat(tally.holes), absl::StrCat(tally.filled), AreaText(tally.area)};
+std::vector<std::string> Row(const std::string& name, const Tally& tally, const HoleColumns& columns) {
+  return {name, absl::StrCat(tally.holes), absl::StrCat(tally.filled), columns.Area(tally.area)};
 }
 
 // "lake at 3.250 m, sigma 0.020 m", "ground", or the level alone of a hole that was not judged.
@@ -91,11 +91,12 @@ std::string KindsText(const Json& report) {
     Add(hole, all);
   }
   if (kinds.empty()) return "";
+  const HoleColumns columns(report);
   std::vector<std::vector<std::string>> rows;
   // "closed" is before "I" for a reader.
-  if (const auto closed = kinds.extract("closed")) rows.push_back(Row(closed.key(), closed.mapped()));
-  for (const auto& [kind, tally] : kinds) rows.push_back(Row(kind, tally));
-  rows.push_back(Row("all", all));
+  if (const auto closed = kinds.extract("closed")) rows.push_back(Row(closed.key(), closed.mapped(), columns));
+  for (const auto& [kind, tally] : kinds) rows.push_back(Row(kind, tally, columns));
+  rows.push_back(Row("all", all, columns));
   return absl::StrCat("\n", Table({"kind of hole", "found", "filled", "area filled, m2"}, rows),
                       kinds.empty() ? "" : kLegend);
 }
@@ -106,9 +107,10 @@ std::string MethodsText(const Json& report) {
     const std::string method = Text(Member(hole, "method"));
     if (!method.empty()) Add(hole, methods[method]);
   }
+  const HoleColumns columns(report);
   std::vector<std::vector<std::string>> rows;
   for (const auto& [method, tally] : methods) {
-    rows.push_back({method, absl::StrCat(tally.filled), AreaText(tally.area)});
+    rows.push_back({method, absl::StrCat(tally.filled), columns.Area(tally.area)});
   }
   return rows.empty() ? "" : absl::StrCat("\n", Table({"how filled", "holes", "area, m2"}, rows));
 }
@@ -133,11 +135,12 @@ std::string LargeHolesText(const Json& report) {
 
 std::string LookAtText(const Json& report) {
   const Json& items = Member(report, "look_at");
+  const HoleColumns columns(report);
   Rows rows;
   for (const Json& item : items) {
     if (rows.size() == kMostListedRows || !item.is_object()) break;
-    rows.push_back({HolesOf(item), Text(Member(item, "cell")), CentreText(Member(item, "centre")),
-                    AreaText(Member(item, "area_m2")), Text(Member(item, "why"))});
+    rows.push_back({HolesOf(item), Text(Member(item, "cell")), CentreText(Member(item, "centre")), columns.Area(item),
+                    Text(Member(item, "why"))});
   }
   if (rows.empty()) return "";
   ShortenRepeated(rows);

@@ -12,6 +12,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "absl/strings/str_replace.h"
+#include "absl/strings/strip.h"
 #include "absl/time/clock.h"
 #include "absl/time/time.h"
 #include "client/fitted_table.h"
@@ -66,7 +67,8 @@ struct Column {
   void Take(const std::string& cell) {
     width = std::max(width, ColumnsOf(cell));
     double number = 0;
-    if (!cell.empty() && cell != "-") (absl::SimpleAtod(cell, &number) ? has_numbers : has_texts) = true;
+    const auto digits = absl::StripPrefix(cell, "< ");  // as AreaText has them
+    if (!cell.empty() && cell != "-") (absl::SimpleAtod(digits, &number) ? has_numbers : has_texts) = true;
   }
 };
 

@@ -51,6 +51,7 @@ int ReportCommand(const Args& args) {
     if (!written.ok()) return PrintError(written);
     const std::filesystem::path page = path.parent_path() / "report.html";
     std::fprintf(stderr, "tilemend: wrote %s\n", Printable(page.string()).c_str());
+    if (*format != OutputFormat::kJson) return kExitDone;  // the page is in place of the text
   }
   std::fputs((*format == OutputFormat::kJson ? *content : ReportText(report)).c_str(), stdout);
   return kExitDone;

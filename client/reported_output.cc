@@ -50,6 +50,20 @@ void AddFilledArea(const Json& hole, ReportedOutput& reported) {
   }
 }
 
+void AddFilledHeights(const Json& hole, ReportedOutput& reported) {
+  if (Member(hole, "outcome") != "filled") return;
+  std::vector<double> heights;
+  for (const Json& value : {Member(hole, "rim_heights_m"), Member(hole, "level_m")}) {
+    if (value.is_number()) heights.push_back(value.get<double>());
+    for (const Json& height : RowsOf(value)) {
+      if (height.is_number()) heights.push_back(height.get<double>());
+    }
+  }
+  if (heights.empty()) return;
+  const auto [lowest, highest] = std::ranges::minmax(heights);
+  reported.filled_heights[static_cast<int64_t>(Number(Member(hole, "id")))] = {lowest, highest};
+}
+
 LevelCounts LevelCountsOf(const Json& row) {
   const auto count = [&](const char* name) { return static_cast<int64_t>(Number(Member(row, name))); };
   return {count("nodes"), count("filled"), count("added"), count("removed")};
@@ -90,6 +104,7 @@ ReportedOutput ReadReported(const Json& report) {
   for (const Json& hole : RowsOf(Member(report, "per_hole"))) {
     AddWater(hole, reported);
     AddFilledArea(hole, reported);
+    AddFilledHeights(hole, reported);
     AddLeftHole(hole, reported);
   }
   for (const Json& row : RowsOf(Member(report, "left"))) {

@@ -40,9 +40,16 @@ struct ReportedOutput {
     std::string cell;  // as ToString has it
   };
 
+  // Metres: of the rim of a hole that was filled, and of its water.
+  struct HeightRange {
+    double lowest = 0;
+    double highest = 0;
+  };
+
   std::vector<Left> left;
-  std::vector<std::vector<Point2>> filled_rims;  // boundaries of holes that were filled, from above
-  std::vector<RimOwner> filled_rim_owners;       // by boundary
+  std::vector<std::vector<Point2>> filled_rims;   // boundaries of holes that were filled, from above
+  std::vector<RimOwner> filled_rim_owners;        // by boundary
+  std::map<int64_t, HeightRange> filled_heights;  // of these holes, by number; none of those without known heights
   std::map<CellId, std::vector<Water>> water;
   std::map<CellId, int64_t> cleared;  // triangles taken out
   std::map<CellId, double> filled;    // m2 of its holes that were filled

@@ -9,6 +9,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "absl/time/clock.h"
+#include "client/hole_columns.h"
 #include "client/holes_table.h"
 #include "client/left_table.h"
 #include "client/output.h"
@@ -42,8 +43,8 @@ std::string FilledText(const Json& report) {
     ++filled;
     area += Number(Member(hole, "area_m2"));
   }
-  return absl::StrCat(filled, " of ", Counted(holes, "hole"), " filled, ", AreaText(area), " m2", UncountedText(report),
-                      "\n");
+  return absl::StrCat(filled, " of ", Counted(holes, "hole"), " filled, ", HoleColumns(report).Area(area), " m2",
+                      UncountedText(report), "\n");
 }
 
 // "61 of 64 tiles kept as they were", where some were.

@@ -20,17 +20,34 @@
 namespace tilemend {
 namespace {
 
+// The number of `text` in `names`, where it is put if it is new.
+int32_t NumberOf(std::string_view text, std::map<std::string_view, int32_t>& numbers, std::vector<std::string>& names) {
+  const auto [it, fresh] = numbers.try_emplace(text, static_cast<int32_t>(names.size()));
+  if (fresh) names.emplace_back(text);
+  return it->second;
+}
+
+// Adds the triangles of a face from its first corner, and puts them into `cut` by places of its corners.
+void AddFan(const std::vector<int32_t>& corners, MeshFile& file, std::vector<Triangle>& cut) {
+  for (size_t i = 2; i < corners.size(); ++i) {
+    cut.push_back({0, static_cast<int32_t>(i) - 1, static_cast<int32_t>(i)});
+    file.mesh.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+  }
+}
+
 class ObjReader {
  public:
   // `vertex_tails`, if given, gets for each vertex the offset just after its third coordinate.
   ObjReader(std::string_view bytes, const std::string& name, std::vector<size_t>* vertex_tails,
-            ObjTextures* textures = nullptr, FaceVisitor visit = {}, NoFaces no_faces = NoFaces::kRefuse)
+            ObjTextures* textures = nullptr, FaceVisitor visit = {}, NoFaces no_faces = NoFaces::kRefuse,
+            FlatFaces flat_faces = FlatFaces::kLeaveOut)
       : bytes_(bytes),
         name_(name),
         vertex_tails_(vertex_tails),
         textures_(textures),
         visit_(std::move(visit)),
         no_faces_(no_faces),
+        flat_faces_(flat_faces),
         newline_(LineEndingOf(bytes) == "\r" ? '\r' : '\n'),
         p_(bytes.data()),
         end_(bytes.data() + bytes.size()) {
@@ -189,14 +206,6 @@ class ObjReader {
     return {p, static_cast<size_t>(stop - p)};
   }
 
-  // The number of `text` in `names`, where it is put if it is new.
-  static int32_t NumberOf(std::string_view text, std::map<std::string_view, int32_t>& numbers,
-                          std::vector<std::string>& names) {
-    const auto [it, fresh] = numbers.try_emplace(text, static_cast<int32_t>(names.size()));
-    if (fresh) names.emplace_back(text);
-    return it->second;
-  }
-
   absl::Status ReadVertex() {
     ++p_;
     if (file_.mesh.points.size() >= static_cast<size_t>(std::numeric_limits<int32_t>::max())) {
@@ -242,7 +251,9 @@ class ObjReader {
     const bool is_early = corners_.size() > 3 && *std::ranges::max_element(corners_) >= std::ssize(file_.mesh.points);
     if (is_early && all_points_.empty()) TILEMEND_RETURN_IF_ERROR(ReadAllPoints());
     AddPolygon(corners_, places_, visit_, file_, cut_, all_points_);
+    if (cut_.empty() && flat_faces_ == FlatFaces::kKeep) AddFan(corners_, file_, cut_);
     if (textures_ != nullptr) {
+      textures_->lines_and_points += corners_.size() < 3 ? 1 : 0;
       for (const auto& [a, b, c] : cut_) {
         textures_->corners.push_back({texture_corners_[a], texture_corners_[b], texture_corners_[c]});
       }
@@ -303,6 +314,7 @@ class ObjReader {
   ObjTextures* const textures_;
   const FaceVisitor visit_;
   const NoFaces no_faces_;
+  const FlatFaces flat_faces_;
   const char newline_;
   const char* p_;
   const char* const end_;
@@ -352,9 +364,11 @@ absl::StatusOr<MeshFile> ParseObj(std::string_view bytes, const std::string& nam
   return ObjReader(bytes, name, nullptr, nullptr, visit, no_faces).Read();
 }
 
-absl::StatusOr<ObjFile> ParseTexturedObj(std::string_view bytes, const std::string& name, NoFaces no_faces) {
+absl::StatusOr<ObjFile> ParseTexturedObj(std::string_view bytes, const std::string& name, NoFaces no_faces,
+                                         FlatFaces flat_faces) {
   ObjFile result;
-  TILEMEND_ASSIGN_OR_RETURN(result.file, ObjReader(bytes, name, nullptr, &result.textures, {}, no_faces).Read());
+  TILEMEND_ASSIGN_OR_RETURN(result.file,
+                            ObjReader(bytes, name, nullptr, &result.textures, {}, no_faces, flat_faces).Read());
   const auto known = static_cast<int32_t>(result.textures.coordinates.size());
   for (Triangle& corners : result.textures.corners) {
     for (int32_t& corner : corners) corner = corner < known ? corner : -1;

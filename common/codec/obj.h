@@ -43,7 +43,12 @@ struct ObjTextures {
   std::vector<std::optional<Rgb>> vertex_colours = {};  // after the coordinates of `v`; empty: no vertex has one
   // Of each vertex up to the last that has any: a digest of its columns after x y z (a colour or weight); 0 without.
   std::vector<uint64_t> vertex_columns;
+  int64_t lines_and_points = 0;  // faces with fewer than three corners
 };
+
+// What becomes of faces that name a vertex twice and bound no surface (polygons.h). kKeep: they are cut into triangles
+// as others are, from their first corner, so that another format can have them.
+enum class FlatFaces { kLeaveOut, kKeep };
 
 struct ObjFile {
   MeshFile file;
@@ -59,7 +64,8 @@ absl::StatusOr<MeshFile> ParseObj(std::string_view bytes, const std::string& nam
 // The same with materials, texture coordinates, colours and further columns of vertices: 8 bytes for each `vt`, 12 for
 // each vertex with such columns, 12 for each triangle more.
 absl::StatusOr<ObjFile> ParseTexturedObj(std::string_view bytes, const std::string& name,
-                                         NoFaces no_faces = NoFaces::kRefuse);
+                                         NoFaces no_faces = NoFaces::kRefuse,
+                                         FlatFaces flat_faces = FlatFaces::kLeaveOut);
 
 // `bytes`, which may have no faces, unchanged, then the patch in group `tilemend_filled`. New vertices take the further
 // columns (weight or colour) of the vertex that they are like.

@@ -34,19 +34,18 @@ inline std::string Decimals(const nlohmann::ordered_json& value, int digits) {
   return value.is_number() ? absl::StrFormat("%.*f", digits, value.get<double>()) : Text(value);
 }
 
-// An area in square metres with one decimal, below 1 with two significant digits. Those of loops that run the wrong way
-// round are negative.
-inline std::string AreaText(double area) {
-  const double size = std::abs(area);
-  if (size == 0 || size >= 1) return absl::StrFormat("%.1f", size);
-  if (size < 1e-4) return absl::StrFormat("%.2g", size);
-  return absl::StrFormat("%.*f", 1 - static_cast<int>(std::floor(std::log10(size))), size);
+// An area in square metres with so many decimals; "< 0.1" if it is smaller than the last one, and not 0. Those of loops
+// that run the wrong way round are negative.
+inline std::string AreaText(double area, int digits = 1) {
+  const double size = std::abs(area), smallest = std::pow(10.0, -digits);
+  if (size > 0 && size < smallest) return absl::StrFormat("< %.*f", digits, smallest);
+  return absl::StrFormat("%.*f", digits, size);
 }
 
 // The same; "-" if it is not known.
-inline std::string AreaText(const nlohmann::ordered_json& value) {
+inline std::string AreaText(const nlohmann::ordered_json& value, int digits = 1) {
   if (value.is_null()) return "-";
-  return value.is_number() ? AreaText(value.get<double>()) : Text(value);
+  return value.is_number() ? AreaText(value.get<double>(), digits) : Text(value);
 }
 
 // A place in a scene (two coordinates) with two decimals. That of a mesh, which may be small, is as precise as it is.

@@ -22,6 +22,7 @@
 #include "coordinator/report/look_at.h"
 #include "coordinator/report/plan_warnings.h"
 #include "coordinator/report/review_queue.h"
+#include "coordinator/report/rim_heights.h"
 #include "coordinator/report/rounded.h"
 #include "coordinator/report/water_rows.h"
 
@@ -67,13 +68,6 @@ void Count(const PlannedHole& hole, Json& counts) {
 
 Json CellJson(CellId cell) { return Json::array({cell.col, cell.row}); }
 
-// Metres: the mean of the boundary. Precondition: it has segments.
-double RimHeight(const Plan& plan, const PlannedHole& hole) {
-  double height = 0;
-  for (const RimSegment& s : hole.segments) height += plan.vertices[static_cast<size_t>(s.from)].position.z();
-  return height / static_cast<double>(hole.segments.size());
-}
-
 // Where a hole is, and how large: to the millimetre, or if it is small to a thousandth of its perimeter.
 void AddMeasures(const Plan& plan, const PlannedHole& hole, Json& row) {
   const double power = hole.perimeter > 0 ? -std::floor(std::log10(hole.perimeter)) : 0;
@@ -106,6 +100,7 @@ Json HoleRow(const SceneReportInput& input, int32_t h, const std::vector<Reviewe
   if (!failure.empty() && input.plan->upright && !hole.segments.empty()) {
     row["rim_height_m"] = Rounded(RimHeight(*input.plan, hole), kMillimetres);
   }
+  if (failure.empty() && input.plan->upright) row["rim_heights_m"] = RimHeightsJson(*input.plan, hole);
   if (const auto size = input.outcome.sizes.find(h); size != input.outcome.sizes.end() && failure.empty()) {
     row["method"] = MethodOf(*input.plan, hole, size->second.way);
     if (hole.water >= 0 && size->second.way == FillWay::kFoldsCut) row["folds_cut"] = true;

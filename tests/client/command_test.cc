@@ -252,6 +252,17 @@ TEST_F(CommandTest, ReportMakesThePageOfReportJsonAlone) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/report.html"));
 }
 
+TEST_F(CommandTest, ReportSaysWhereThePageIsAndPrintsNoText) {
+  const std::string text = R"({"version": "0.1.0", "cells": 4, "warnings": ["mind the gap"]})";
+  ASSERT_TRUE(WriteFileAtomically(folder_ / "out/report.json", text).ok());
+  const Ended ended = Run({"report", folder_ / "out", "--html"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.out, "");
+  EXPECT_EQ(ended.err, absl::StrCat("tilemend: wrote ", folder_ / "out/report.html", "\n"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/report.html"));
+  EXPECT_EQ(Run({"report", folder_ / "out", "--html", "-o", "json"}).out, text);
+}
+
 // A cluster of processes: the programs as they are installed, but for the geometry.
 class ClusterCommandTest : public CommandTest {
  protected:

@@ -23,6 +23,8 @@ TEST(HoleColumnsTest, AColumnOfASmallMeshHasOneForm) {
   EXPECT_EQ(columns.Area(report["per_hole"][0]), "0.007020");
   EXPECT_EQ(columns.Area(report["per_hole"][1]), "0.000010");
   EXPECT_EQ(columns.Area(report["per_hole"][2]), "0.000000");
+  EXPECT_EQ(columns.Area(0.0123456), "0.012346");
+  EXPECT_EQ(columns.Area(0.0000004), "< 0.000001");
   EXPECT_EQ(columns.Rim(report["per_hole"][0]), "0.07020");
   EXPECT_EQ(columns.Rim(report["per_hole"][1]), "0.00010");
   EXPECT_EQ(columns.Area(Json::parse(R"({"area_m2": null})")), "-");
@@ -36,8 +38,11 @@ TEST(HoleColumnsTest, AMeshHasNoCells) {
 }
 
 TEST(HoleColumnsTest, ASceneIsInMetres) {
-  const Json report = ReportOf({1, 2}, {20.5, 0.025});
-  EXPECT_EQ(HoleColumns(report).Area(report["per_hole"][1]), "0.025");
+  const Json report = ReportOf({1, 2}, {20.5, 0.025, 0.00001});
+  EXPECT_EQ(HoleColumns(report).Area(report["per_hole"][0]), "20.5");
+  EXPECT_EQ(HoleColumns(report).Area(report["per_hole"][1]), "< 0.1");
+  EXPECT_EQ(HoleColumns(report).Area(report["per_hole"][2]), "< 0.1");
+  EXPECT_EQ(HoleColumns(report).Area(1234.56), "1234.6");
   EXPECT_EQ(HoleColumns(report).Rim(report["per_hole"][0]), "205.0");
 }
 

@@ -21,8 +21,8 @@ Json Square(double x, double y, double size) {
   return {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}, {x, y}};
 }
 
-HoleNumbers NumbersOf(const Json& features) {
-  ReportedOutput reported;
+HoleNumbers NumbersOf(const Json& features, const Json& holes = Json::array()) {
+  ReportedOutput reported = ReadReported({{"per_hole", holes}});
   AddRims({{"features", features}}, {1000, 2000}, reported);
   return HoleNumbers(reported);
 }
@@ -33,10 +33,10 @@ TEST(HoleNumbersTest, TheHoleAroundAPlace) {
       NumbersOf({Feature(3, "+000_+015", "filled", "Polygon", {Square(0, 0, 90), Square(40, 40, 10)}),
                  Feature(4, "+000_+015", "filled", "Polygon", Json::array({Square(42, 42, 2)})),
                  Feature(5, "+001_+015", "filled", "MultiPolygon", Json::array({Json::array({Square(100, 0, 5)})}))});
-  EXPECT_EQ(numbers.At({0, 15}, {20, 44}), 3);
-  EXPECT_EQ(numbers.At({0, 15}, {39, 43}), 3);
-  EXPECT_EQ(numbers.At({0, 15}, {43, 43}), 4);
-  EXPECT_EQ(numbers.At({1, 15}, {103, 3}), 5);
+  EXPECT_EQ(numbers.At({0, 15}, {20, 44, 0}), 3);
+  EXPECT_EQ(numbers.At({0, 15}, {39, 43, 0}), 3);
+  EXPECT_EQ(numbers.At({0, 15}, {43, 43, 0}), 4);
+  EXPECT_EQ(numbers.At({1, 15}, {103, 3, 0}), 5);
 }
 
 TEST(HoleNumbersTest, TheNearestBoundaryIfNoneIsAround) {
@@ -44,14 +44,74 @@ TEST(HoleNumbersTest, TheNearestBoundaryIfNoneIsAround) {
       NumbersOf({Feature(3, "+000_+000", "filled", "Polygon", Json::array({Square(0, 0, 9)})),
                  Feature(4, "+000_+000", "filled", "MultiLineString", {{{1020, 2000}, {1020, 2009}}}),
                  Feature(5, "+000_+000", "left", "Polygon", Json::array({Square(17, 0, 2)}))});
-  EXPECT_EQ(numbers.At({0, 0}, {10, 5}), 3);
-  EXPECT_EQ(numbers.At({0, 0}, {18, 5}), 4);
+  EXPECT_EQ(numbers.At({0, 0}, {10, 5, 0}), 3);
+  EXPECT_EQ(numbers.At({0, 0}, {18, 5, 0}), 4);
+}
+
+Json Row(int hole, const Json& rim_heights, const Json& level = Json()) {
+  return {{"id", hole}, {"outcome", "filled"}, {"rim_heights_m", rim_heights}, {"level_m", level}};
+}
+
+// A hole in the ground, and one in the roof above it.
+TEST(HoleNumbersTest, OfHolesOverEachOtherTheOneAtThatHeight) {
+  const HoleNumbers numbers =
+      NumbersOf({Feature(3, "+000_+000", "filled", "Polygon", Json::array({Square(0, 0, 90)})),
+                 Feature(4, "+000_+000", "filled", "Polygon", Json::array({Square(40, 40, 10)}))},
+                {Row(3, {-2, 1.5}), Row(4, {30, 32})});
+  EXPECT_EQ(numbers.At({0, 0}, {42, 45, 1}), 3);
+  EXPECT_EQ(numbers.At({0, 0}, {42, 45, 31}), 4);
+  EXPECT_EQ(numbers.At({0, 0}, {42, 45, 28}), 4) << "below its rim, and nearer to it";
+  EXPECT_EQ(numbers.At({0, 0}, {42, 45, 4}), 3) << "above its rim, and nearer to it";
+  EXPECT_EQ(numbers.At({0, 0}, {20, 20, 5}), 3) << "only one is there";
+  EXPECT_EQ(numbers.At({0, 0}, {50, 45, 1}), 3) << "on the boundary of the other from above";
+  EXPECT_EQ(numbers.At({0, 0}, {50, 45, 31}), 4);
+  EXPECT_EQ(numbers.At({0, 0}, {50.001, 45, 31}), 4);
+}
+
+// From above a wall is a line, and its holes lie over each other or beside the line.
+TEST(HoleNumbersTest, OfHolesInAWallTheOneAtThatHeight) {
+  const HoleNumbers numbers =
+      NumbersOf({Feature(3, "+000_+000", "filled", "Polygon",
+                         Json::array({{{1000, 2000}, {1009, 2000}, {1009, 2000.002}, {1000, 2000}}})),
+                 Feature(4, "+000_+000", "filled", "MultiLineString", {{{1000, 2000.01}, {1009, 2000.01}}})},
+                {Row(3, {2, 4}), Row(4, {6, 8})});
+  EXPECT_EQ(numbers.At({0, 0}, {5, 0.001, 3}), 3);
+  EXPECT_EQ(numbers.At({0, 0}, {5, 0.001, 7}), 4) << "the other one is around it";
+  EXPECT_EQ(numbers.At({0, 0}, {5, 0.02, 3}), 3) << "the other one is nearer from above";
+}
+
+TEST(HoleNumbersTest, AFillMayLeaveTheHeightsOfItsRim) {
+  const HoleNumbers numbers =
+      NumbersOf({Feature(3, "+000_+000", "filled", "Polygon", Json::array({Square(0, 0, 20)})),
+                 Feature(4, "+000_+000", "filled", "Polygon", Json::array({Square(21, 0, 20)}))},
+                {Row(3, {1, 1}), Row(4, {3, 3})});
+  EXPECT_EQ(numbers.At({0, 0}, {17, 10, 3}), 3);
+  EXPECT_EQ(numbers.At({0, 0}, {24, 10, 1}), 4);
+}
+
+TEST(HoleNumbersTest, WaterLiesBelowItsRim) {
+  const Json features = {Feature(3, "+000_+000", "filled", "Polygon", Json::array({Square(0, 0, 20)})),
+                         Feature(4, "+000_+000", "filled", "Polygon", Json::array({Square(0, 0, 20)}))};
+  for (const Json& level : {Json(-7), Json({-6, -8})}) {
+    const HoleNumbers numbers = NumbersOf(features, {Row(3, {2, 4}, level), Row(4, {-9, -9})});
+    EXPECT_EQ(numbers.At({0, 0}, {1, 10, -7}), 3) << level;
+  }
+}
+
+// Reports of earlier releases have none, and a boundary of seams alone has none either.
+TEST(HoleNumbersTest, WithoutHeightsTheHoleFromAbove) {
+  const HoleNumbers numbers =
+      NumbersOf({Feature(3, "+000_+000", "filled", "Polygon", Json::array({Square(0, 0, 90)})),
+                 Feature(4, "+000_+000", "filled", "Polygon", Json::array({Square(40, 40, 10)}))},
+                Json::array({Row(3, Json())}));
+  EXPECT_EQ(numbers.At({0, 0}, {10, 10, 500}), 3);
+  EXPECT_EQ(numbers.At({0, 0}, {41, 45, 500}), 4);
 }
 
 TEST(HoleNumbersTest, NoneWithoutBoundaries) {
-  EXPECT_EQ(NumbersOf(Json::array()).At({0, 0}, {0, 0}), std::nullopt);
+  EXPECT_EQ(NumbersOf(Json::array()).At({0, 0}, {0, 0, 0}), std::nullopt);
   EXPECT_EQ(NumbersOf(Json::array({Feature(3, "+000_+000", "filled", "Polygon", Json::array({Square(0, 0, 9)}))}))
-                .At({1, 0}, {4, 4}),
+                .At({1, 0}, {4, 4, 0}),
             std::nullopt);
 }
 

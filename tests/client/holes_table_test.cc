@@ -30,7 +30,7 @@ TEST(PlannedHolesTextTest, ListsWhatIsToBeFilledTheLargestFirstAndDoesNotPromise
             "   1  closed  [0,1]  [1.50,2.50]      30.0     8.0  at 12.500 m\n"
             "   3  closed  [0,1]  [1.50,2.50]      20.0     8.0  ground                          it falls\n"
             "   4  closed  [0,1]  [1.50,2.50]      10.0     8.0  lake at 3.000 m, sigma 0.020 m  it agrees\n"
-            "   0  closed  [0,1]  [1.50,2.50]     0.020     8.0\n");
+            "   0  closed  [0,1]  [1.50,2.50]     < 0.1     8.0\n");
 }
 
 TEST(PlannedHolesTextTest, ShowsTheFirstOfMany) {
@@ -89,6 +89,18 @@ TEST(KindsTextTest, CountsTheCellsThatWereChosen) {
   report["per_hole"][1]["outcome"] = "left";
   report["per_hole"][1]["reason"] = "in a cell that was not chosen";
   EXPECT_THAT(KindsText(report), HasSubstr("all               1  "));
+}
+
+TEST(KindsTextTest, AreasOfAColumnHaveOneForm) {
+  Json report;
+  report["per_hole"] = {Hole(0, 0.00001), Hole(1, 30), Hole(2, 0.03)};
+  for (Json& hole : report["per_hole"]) hole["outcome"] = "filled";
+  report["per_hole"][1]["kind"] = "I";
+  report["per_hole"][2]["kind"] = "II";
+  report["per_hole"][2]["outcome"] = "left";
+  EXPECT_THAT(KindsText(report), HasSubstr("closed            1       1            < 0.1\n"));
+  EXPECT_THAT(KindsText(report), HasSubstr("I                 1       1             30.0\n"));
+  EXPECT_THAT(KindsText(report), HasSubstr("II                1       0              0.0\n"));
 }
 
 TEST(KindsTextTest, HasALegendOnlyWhereThereAreOpenHoles) {

@@ -62,6 +62,9 @@ await tab.locator('svg.map rect').first().click();
 expect(await rows.count() >= 1, 'a click on a cell does not show its holes');
 expect((await tab.locator('main').innerText()).includes('<img src=x onerror=alert(1)>'), 'a text with markup is not shown as it is');
 
+const waterAreas = await tab.locator('section:has(> h2:text-is("Waters")) tbody td:nth-child(5)').allInnerTexts();
+expect(waterAreas.join() === '12.3,< 0.1,0.0', `a column of areas has ${waterAreas}`);
+
 // The review queue: marked by keys, kept over a reload, written as a file.
 const queued = (page) => page.locator('table.queue tbody tr'), load = (page) => page.locator('.review .download');
 expect(await queued(tab).count() === 2, 'the queue has not both holes');

@@ -129,12 +129,28 @@ def make_page(folder, program):
     report['warnings'] = ['<img src=x onerror=alert(1)>', '</script><script>alert(2)</script>']
     report['per_hole'][0]['reason'] = '"><svg onload=alert(3)>'
     report['review'] = [review_item(row) for row in report['per_hole']]
+    report['water'] = [{'body': 0, 'kind': 'lake', 'level_m': 1, 'sigma_m': 0.1, 'area_m2': area, 'cells': 1,
+                        'decided_by': 'rim'} for area in (12.34, 0.00001, 0)]
     with open(path, 'w') as file:
         json.dump(report, file)
     done = run(program, 'report', out, '--html')
     if done.returncode:
         fail(done.stdout)
     return os.path.join(out, 'report.html')
+
+
+def check_printed(chromium, page, folder):
+    """A browser without a window prints the page as soon as it is loaded: both pictures are there, before and after."""
+    path = os.path.join(folder, 'printed.pdf')
+    done = run(chromium, '--headless', '--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader',
+               '--enable-unsafe-swiftshader', f'--user-data-dir={os.path.join(folder, "profile")}',
+               f'--print-to-pdf={path}', f'file://{page}')
+    if done.returncode or not os.path.exists(path):
+        fail(f'the page was not printed: {done.stdout}')
+    with open(path, 'rb') as file:
+        images = file.read().count(b'/Width 1120')  # and each has a mask
+    if images < 4:
+        fail(f'a PDF that was printed at once has {images} images, not 4')
 
 
 def main():
@@ -150,6 +166,7 @@ def main():
         size = os.path.getsize(page)
         if size > 1_200_000:
             fail(f'a page with two small pictures has {size} bytes')
+        check_printed(chromium, page, temporary)
         shutil.copy(os.path.join(HERE, 'open_page.mjs'), folder)
         done = run('node', 'open_page.mjs', page, chromium, folder, cwd=folder)
         if done.returncode:

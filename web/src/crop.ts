@@ -1,6 +1,7 @@
 // Reads the surface around a fill: client/crop_bytes.h has the form.
 import { BufferAttribute, BufferGeometry, Texture, SRGBColorSpace } from 'three';
-import { unzip } from './unzip';
+import { gunzipSync } from 'three/addons/libs/fflate.module.js';
+import { bytesOf } from './unzip';
 
 export type Role = 'kept' | 'added' | 'cleared';
 export interface Part { role: Role; geometry: BufferGeometry; texture: Texture | null }
@@ -17,9 +18,25 @@ const linear = Float32Array.from({ length: 256 }, (_, i) => {
   return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
 });
 
+// An element, not a bitmap: the page's load event waits for elements.
+function imageOf(jpeg: ArrayBuffer): Promise<HTMLImageElement> {
+  return new Promise((resolve, reject) => {
+    const image = new Image(), url = URL.createObjectURL(new Blob([jpeg], { type: 'image/jpeg' }));
+    image.onload = () => {
+      URL.revokeObjectURL(url);
+      resolve(image);
+    };
+    image.onerror = () => {
+      URL.revokeObjectURL(url);
+      reject(new Error('its image cannot be read'));
+    };
+    image.src = url;
+  });
+}
+
 async function textureOf(jpeg: ArrayBuffer): Promise<Texture | null> {
   if (jpeg.byteLength === 0) return null;
-  const texture = new Texture(await createImageBitmap(new Blob([jpeg], { type: 'image/jpeg' })));
+  const texture = new Texture(await imageOf(jpeg));
   texture.colorSpace = SRGBColorSpace;
   texture.flipY = false;
   texture.anisotropy = 8;
@@ -27,8 +44,10 @@ async function textureOf(jpeg: ArrayBuffer): Promise<Texture | null> {
   return texture;
 }
 
+// Waits for nothing but the load event of its image. So pictures that are begun while the page is parsed are all there
+// when the page is loaded, which is when a browser without a window prints it.
 export async function readCrop(base64: string): Promise<Crop> {
-  const buffer = await unzip(base64), view = new DataView(buffer);
+  const buffer = gunzipSync(bytesOf(base64)).slice().buffer, view = new DataView(buffer);
   if (view.getUint32(0, false) !== 0x544d4331) throw new Error('not a picture'); // "TMC1"
   const [vertices, triangles, jpegBytes] = [4, 8, 12].map((at) => view.getUint32(at, true)) as [number, number, number];
   const bounds = Array.from({ length: 6 }, (_, i) => view.getFloat64(16 + 8 * i, true));

@@ -34,11 +34,12 @@ export function number(value: number | null | undefined, digits = 0): string {
   return format.format(value).replaceAll(',', '\u2009');
 }
 
-// "unknown", "0.0", "0.0042" or "12.3": as AreaText in coordinator/report/json_access.h.
-export function areaText(area: number | null | undefined): string {
+// "unknown", "0.0", "< 0.1" or "12.3": as AreaText in coordinator/report/json_access.h. A single mesh may be small: its
+// areas below 0.1 have two significant digits.
+export function areaText(area: number | null | undefined, isMesh = false): string {
   if (typeof area !== 'number' || !Number.isFinite(area)) return 'unknown';
-  if (area === 0 || area >= 1) return number(area, 1);
-  return area < 1e-4 ? String(Number(area.toPrecision(2))) : area.toFixed(1 - Math.floor(Math.log10(area)));
+  if (area === 0 || area >= 0.1) return number(area, 1);
+  return isMesh ? String(Number(area.toPrecision(2))) : '< 0.1';
 }
 
 export function counted(count: number, noun: string): string {

@@ -16,7 +16,8 @@ interface Column {
   key: (hole: Hole) => number | string;
 }
 
-export const areaOf = ({ area }: Hole): string => areaText(area);
+export const isOfMesh = ({ centre }: Hole): boolean => centre?.length === 3; // a place of a scene has two coordinates
+export const areaOf = (hole: Hole): string => areaText(hole.area, isOfMesh(hole));
 export const squareMetres = (hole: Hole): string => (hole.area === null ? 'area unknown' : `${areaOf(hole)} m\u00b2`);
 
 const outcomeOf = (h: Hole): string => (h.planned ? 'planned' : h.filled ? h.method || 'filled' : 'left open');

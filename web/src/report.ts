@@ -2,7 +2,7 @@
 import { type DetailLevel, type Hole, type LookAt, type Report, type Water, readReport } from './data';
 import { decisionsCommand } from './command';
 import { areaText, counted, el, holesText, number } from './dom';
-import { areaOf, holesTable, levelText } from './holes';
+import { areaOf, holesTable, isOfMesh, levelText } from './holes';
 import { cellMap } from './map';
 import { MARK_NAME, pictures } from './pictures';
 import { reviewQueue } from './review';
@@ -25,7 +25,7 @@ function facts(report: Report): HTMLElement {
   const rows: [string, string][] = [
     ['cells', number(report.cells.length)],
     ['holes', number(report.hole_count)],
-    ['area filled', `${area === 0 ? '0' : area < 1 ? areaText(area) : number(area)} m\u00b2`],
+    ['area filled', `${area === 0 ? '0' : area < 1 ? areaText(area, report.per_hole.some(isOfMesh)) : number(area)} m\u00b2`],
     ['waters', number(report.water?.length ?? 0)]];
   if (report.tasks?.tiles_kept) rows.push(['tiles kept', `${number(report.tasks.tiles_kept)} of ${number(report.tasks.tiles)}`]);
   if (report.cleared?.triangles) rows.push(['triangles cleared', number(report.cleared.triangles)]);
@@ -69,8 +69,9 @@ const LEAST_AREA = 0.5; // m2, of a fill with a picture: kLeastArea in client/pa
 
 function whyNoPictures(report: Report): string {
   const largest = report.per_hole.reduce((most, hole) => (hole.filled ? Math.max(most, hole.area ?? 0) : most), -1);
+  const size = areaText(largest, report.per_hole.some(isOfMesh)).replace('<', 'less than');
   if (largest < 0) return 'There is no picture, as no hole was filled.';
-  if (largest < LEAST_AREA) return `There is no picture, as all fills are smaller than ${LEAST_AREA} m\u00b2: the largest has ${areaText(largest)} m\u00b2.`;
+  if (largest < LEAST_AREA) return `There is no picture, as all fills are smaller than ${LEAST_AREA} m\u00b2: the largest has ${size} m\u00b2.`;
   return report.picture_problems.length > 0 ? 'There is no picture, as the tiles could not be read:'
     : 'There is no picture, as no new surface was found at the places of the largest fills.';
 }

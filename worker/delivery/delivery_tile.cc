@@ -220,11 +220,17 @@ DeliveryTile DeliveryOfTree(const TileTree& tile, DeliveryLevels levels, std::sp
 }
 
 absl::StatusOr<DeliveryTile> DeliveryOfObj(std::string_view bytes, const ObjBeside& beside) {
-  TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, beside.path, NoFaces::kAccept));
+  TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, beside.path, NoFaces::kAccept, FlatFaces::kKeep));
+  const int64_t left_out = obj.textures.lines_and_points;
   TILEMEND_ASSIGN_OR_RETURN(const TileLook look, LookWith(beside, obj.textures));
   const ObjMarks marks = MarksOf(obj);
   const TexturedSurface surface = TexturedSurfaceOf(std::move(obj), look);
   DeliveryTile tile;
+  if (left_out > 0) {
+    tile.warnings.push_back(absl::StrCat(Printable(beside.path),
+                                         ": faces with fewer than three corners are not written ",
+                                         "in another format: ", left_out));
+  }
   DeliveryPiece piece;
   for (const TexturedSurface::Group& group : surface.groups) {
     int32_t image = -1;

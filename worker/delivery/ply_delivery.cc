@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -75,10 +76,18 @@ class PlyMaker {
 
   void AddFace(const DeliverySurface& surface, const Triangle& triangle, int32_t image) {
     faces_ += '\3';
-    for (const int32_t corner : triangle) {
-      const auto v = static_cast<size_t>(corner);
+    std::array<int32_t, 3> numbers{};
+    for (size_t k = 0; k < 3; ++k) {
+      const auto v = static_cast<size_t>(triangle[k]);
       const Rgb& colour = surface.colours.empty() ? surface.colour : surface.colours[v];
-      AppendNumber(VertexOf(surface.mesh.points[v], colour), faces_);
+      const auto end = numbers.begin() + static_cast<std::ptrdiff_t>(k);
+      numbers[k] = VertexOf(surface.mesh.points[v], colour);
+      if (std::find(numbers.begin(), end, numbers[k]) != end) {
+        // Two vertices at one position: readers leave out a face that names one vertex twice.
+        const size_t same = static_cast<size_t>(std::ranges::find(triangle, triangle[k]) - triangle.begin());
+        numbers[k] = same < k ? numbers[same] : NewVertex(surface.mesh.points[v], colour);
+      }
+      AppendNumber(numbers[k], faces_);
     }
     if (image >= 0) AddPlaces(surface, triangle, image);
     if (has_marks_) faces_ += surface.is_filled ? '\1' : '\0';
@@ -103,12 +112,14 @@ class PlyMaker {
     }
     key.second = has_images_ ? 0 : NumberOf(colour);
     const auto [at, is_new] = numbers_.try_emplace(key, static_cast<int32_t>(points_.size()));
-    if (is_new) {
-      points_.push_back(point);
-      if (!has_images_) colours_.push_back(colour);
-      is_narrow_ = is_narrow_ && point == point.cast<float>().cast<double>();
-    }
-    return at->second;
+    return is_new ? NewVertex(point, colour) : at->second;
+  }
+
+  int32_t NewVertex(const Point3& point, const Rgb& colour) {
+    points_.push_back(point);
+    if (!has_images_) colours_.push_back(colour);
+    is_narrow_ = is_narrow_ && point == point.cast<float>().cast<double>();
+    return static_cast<int32_t>(points_.size()) - 1;
   }
 
   std::string Header() const {

@@ -201,6 +201,21 @@ TEST(ObjTest, RefusesOtherContent) {
   EXPECT_EQ(MessageOf("OFF\n3 1 0\n"), "a.obj: line 1: expected an OBJ statement, found something else");
 }
 
+TEST(ObjTest, FlatFacesAreNoTrianglesUnlessTheyAreKept) {
+  const std::string text =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 1/1 1/2 2/1\nf 1 2\nusemtl a\nf 3/2 2/1 1/1 1/2\n";
+  const auto left_out = ParseTexturedObj(text, "a.obj");
+  ASSERT_TRUE(left_out.ok()) << left_out.status();
+  EXPECT_EQ(left_out->file.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}}));
+  EXPECT_EQ(left_out->textures.lines_and_points, 1);
+  const auto kept = ParseTexturedObj(text, "a.obj", NoFaces::kRefuse, FlatFaces::kKeep);
+  ASSERT_TRUE(kept.ok()) << kept.status();
+  EXPECT_EQ(kept->file.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 0, 1}, {2, 1, 0}, {2, 0, 0}}));
+  EXPECT_EQ(kept->textures.corners, (std::vector<Triangle>{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 0, 1}}));
+  EXPECT_EQ(kept->textures.runs.at(0).first, 2);
+  EXPECT_EQ(kept->textures.lines_and_points, 1);
+}
+
 TEST(ObjTest, AppendsTexturedFaces) {
   const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n";
   FilePatch patch;

@@ -19,14 +19,22 @@ TEST(JsonAccessTest, WhatIsMissingOrOfAnotherTypeIsEmpty) {
   EXPECT_EQ(Decimals(Json(2.25), 1), "2.2");
 }
 
-TEST(JsonAccessTest, AreasBelowOneHaveTwoSignificantDigits) {
+TEST(JsonAccessTest, AreasHaveOneFormHoweverSmallTheyAre) {
   EXPECT_EQ(AreaText(Json(-3)), "3.0");
-  EXPECT_EQ(AreaText(Json(0.0042)), "0.0042");
-  EXPECT_EQ(AreaText(Json(0.25)), "0.25");
+  EXPECT_EQ(AreaText(Json(12.34)), "12.3");
+  EXPECT_EQ(AreaText(Json(0.5)), "0.5");
+  EXPECT_EQ(AreaText(Json(0.1)), "0.1");
+  EXPECT_EQ(AreaText(Json(0.0999)), "< 0.1");
+  EXPECT_EQ(AreaText(Json(-0.0042)), "< 0.1");
+  EXPECT_EQ(AreaText(0.00001), "< 0.1");
   EXPECT_EQ(AreaText(0.0), "0.0");
-  EXPECT_EQ(AreaText(0.5), "0.50");
-  EXPECT_EQ(AreaText(0.000025), "2.5e-05");
   EXPECT_EQ(AreaText(Json()), "-");
+}
+
+TEST(JsonAccessTest, AreasMayHaveMoreDecimals) {
+  EXPECT_EQ(AreaText(0.0042, 3), "0.004");
+  EXPECT_EQ(AreaText(Json(0.00042), 3), "< 0.001");
+  EXPECT_EQ(AreaText(Json(0), 3), "0.000");
 }
 
 TEST(JsonAccessTest, CentresOfASceneHaveTwoDecimals) {

@@ -91,6 +91,24 @@ TEST_F(SceneReportTest, OfHolesThatAreLeftTheRimTellsTheHeightAndTheAreaMayNotBe
   EXPECT_EQ(rows[3]["area_m2"], 10.0);
 }
 
+TEST_F(SceneReportTest, OfHolesThatAreFilledTheRimTellsHowFarItReachesUpAndDown) {
+  plan_.upright = true;
+  plan_.vertices.resize(3);
+  plan_.vertices[0].position = {0, 0, 1.25};
+  plan_.vertices[1].position = {4, 0, -2};
+  plan_.vertices[2].position = {4, 4, 9};  // on a seam, whose height is not known yet
+  plan_.holes[0].segments = {{0, 1, false}, {1, 2, true}, {2, 0, true}};
+  plan_.holes[1].segments = {{1, 2, true}, {2, 1, true}};
+  plan_.holes[2].segments = {{0, 1, false}, {1, 0, false}};
+  const Json rows = Report()["per_hole"];
+  EXPECT_EQ(rows[0]["rim_heights_m"], Json({-2, 1.25}));
+  EXPECT_TRUE(rows[1].contains("rim_heights_m"));
+  EXPECT_TRUE(rows[1]["rim_heights_m"].is_null());
+  EXPECT_FALSE(rows[2].contains("rim_heights_m"));
+  plan_.upright = false;
+  EXPECT_FALSE(Report()["per_hole"][0].contains("rim_heights_m"));
+}
+
 TEST_F(SceneReportTest, TellsWhatIsLeftOfThePlanThenOfTilesThenOfHoles) {
   input_.outcome.unwritten = {{{0, 0}, "the tile is not written: disk", -1, 0}};
   const Json left = Report()["left"];

@@ -116,6 +116,24 @@ TEST(DeliveryOfObjTest, FacesOfTheGroupAreFilled) {
                            {{0, false}, 1}, {{0, true}, 1}, {{255, false}, 1}, {{255, true}, 1}}));
 }
 
+TEST(DeliveryOfObjTest, FlatFacesAreKeptAndWhatIsNoTriangleIsCounted) {
+  const TemporaryFolder folder;
+  folder.Write("a.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
+  const std::string obj =
+      "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nusemtl red\nf 1 1 2\nf 1 4 2\nf 1 2\nusemtl blue\nf 1 2 3\n"
+      "f 1 2 3 3\nf 2\n";
+  const auto tile = DeliveryOfObj(obj, {folder.path(), "a.obj", {}, ""});
+  ASSERT_TRUE(tile.ok()) << tile.status();
+  std::map<int, std::vector<Triangle>> triangles;  // by blue
+  for (const DeliverySurface& surface : tile->pieces.at(0).surfaces) {
+    triangles[surface.colour.b] = surface.mesh.triangles;
+  }
+  EXPECT_EQ(triangles[0], (std::vector<Triangle>{{0, 0, 1}, {0, 2, 1}}));
+  EXPECT_EQ(triangles[255], (std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}, {0, 2, 2}}));
+  EXPECT_THAT(tile->warnings, testing::ElementsAre("a.obj: faces with fewer than three corners are not written in "
+                                                   "another format: 2"));
+}
+
 TEST(DeliveryOfObjTest, VerticesKeepTheirColoursWhereNoMaterialIsInForce) {
   const TemporaryFolder folder;
   const std::string vertices = "v 0 0 0 0 0.2 0\nv 1 0 0 0 0.4 0\nv 0 1 0 0 0.6 0\nv 1 1 0 1 1 1\nf 1 2 3\n";

@@ -55,6 +55,22 @@ TEST(PlyDeliveryTest, FacesHaveImagesAndShareVertices) {
   EXPECT_EQ(face.substr(kFace - 4), std::string(4, '\0'));
 }
 
+// As the originals have them: two vertices at one position, and one vertex twice.
+TEST(PlyDeliveryTest, FlatTrianglesAreWritten) {
+  DeliveryTile tile;
+  DeliveryPiece& piece = tile.pieces.emplace_back();
+  piece.surfaces = {{{{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 1, 0}}, {{0, 1, 3}, {0, 1, 2}, {0, 2, 2}, {1, 1, 3}}},
+                     {},
+                     -1,
+                     {9, 9, 9}}};
+  const auto files = PlyFilesOf(tile, "a");
+  ASSERT_TRUE(files.ok()) << files.status();
+  EXPECT_THAT(files->at(0).bytes, HasSubstr("element face 4\n"));
+  const MeshFile read = ReadPly(files->at(0));
+  EXPECT_EQ(read.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 1, 3}}));
+  EXPECT_EQ(read.mesh.points[3], Point3(0, 0, 0));
+}
+
 TEST(PlyDeliveryTest, CoordinatesAreFloat32OnlyIfThatKeepsTheirBits) {
   EXPECT_THAT(PlyFilesOf(TwoSurfaces(0.5), "a")->at(0).bytes, HasSubstr("property float x"));
   const auto wide = PlyFilesOf(TwoSurfaces(0.1), "a");

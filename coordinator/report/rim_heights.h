@@ -1,0 +1,19 @@
+// How high the boundary of a hole lies.
+#ifndef TILEMEND_COORDINATOR_REPORT_RIM_HEIGHTS_H_
+#define TILEMEND_COORDINATOR_REPORT_RIM_HEIGHTS_H_
+
+#include <nlohmann/json.hpp>
+
+#include "coordinator/plan/types/plan_types.h"
+
+namespace tilemend {
+
+// Metres: the mean of the boundary. Precondition: it has segments. Linear.
+double RimHeight(const Plan& plan, const PlannedHole& hole);
+
+// Metres, [lowest, highest]: of the boundary's original vertices. null if all of it are seams. Linear.
+nlohmann::ordered_json RimHeightsJson(const Plan& plan, const PlannedHole& hole);
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_COORDINATOR_REPORT_RIM_HEIGHTS_H_
