@@ -121,6 +121,40 @@ double LengthInside(const WaterArea& area) {
   return length;
 }
 
+// Why a decision is not on a body, as DecideHoles took it; "" if it is.
+std::string WhyNoDecision(const Plan& plan, const std::vector<WaterArea>& areas, int32_t a, const Body& body,
+                          double share) {
+  const WaterArea& area = areas[a];
+  if (body.decision == a || (body.decision >= 0 && SayTheSame(area, areas[body.decision])))
+    return area.water ? WhyNoWater(plan, body) : "";
+  if (share > kDecidingShare && body.decision >= 0)
+    return "another after it decides on the same hole: " + areas[body.decision].label;
+  if (share > kDecidingShare) {
+    return "it does not decide on the hole at " + Place(plan.holes[body.holes.front()].centre) +
+           ", as most of it lies in another; draw one over that hole alone";
+  }
+  return "it covers " + Number(100 * share) + " % of " + NameOf(plan, body) + "; to decide on " +
+         (body.holes.size() > 1 ? "them, draw it over more than half of their area, or give each of them the same "
+                                  "decision"
+                                : "it, draw it over more than half");
+}
+
+// Whether a decision is about this body alone (DecideHoles).
+bool MostLiesIn(const WaterArea& area, const Body& body) {
+  return CoverLines(SegmentsOf(area)).ShareIn(body.boundary) > kDecidingShare;
+}
+
+void AddDoubt(const std::string& more, WaterAnswer& answer) {
+  if (!more.empty()) answer.doubt += (answer.doubt.empty() ? "" : "; ") + more;
+}
+
+// A hole is water as a whole: it may reach from a lake over a tile that is missing into a river.
+std::string DoubtOfExtent(ReviewDecision decision, double taken, double under) {
+  const bool is_water = decision == ReviewDecision::kNone || decision == ReviewDecision::kWater;
+  return (is_water ? "it makes " + Number(taken) + " m2 water" : "it decides on " + Number(taken) + " m2") + ", and " +
+         Number(taken - under) + " m2 of that lie outside it, as the hole goes on there";
+}
+
 class Answers {
  public:
   Answers(const std::vector<WaterArea>& areas, const std::optional<PlaneBounds>& scene, Plan& plan,
@@ -149,7 +183,8 @@ class Answers {
       answer.decision = areas_[a].decision;
       if (areas_[a].clear) answer.clear_height = areas_[a].clear_height;
       double most = -1, taken = 0, under = 0;  // m2
-      std::vector<std::string> others;         // why a decision is not on a body that it covers less of
+      const Body* best = nullptr;
+      std::vector<std::string> others;  // why a decision is not on a body that it covers less of
       for (const auto& [b, share] : shares_[a]) {
         std::string reason = WhyNot(static_cast<int32_t>(a), bodies_[b], share);
         const double covered = share * bodies_[b].area;
@@ -160,33 +195,40 @@ class Answers {
           taken += decides ? body.area : covered;
           under += body.together && decides ? body.share * body.area : covered;
         }
-        if (covered > most) {
+        const bool is_decision = answer.decision != ReviewDecision::kNone;
+        if (const double fit = is_decision ? covered * share : covered; fit > most) {
           std::swap(answer.reason, reason);
-          most = covered;
+          most = fit;
+          best = &bodies_[b];
         }
-        const bool is_noticed = answer.decision != ReviewDecision::kNone && share >= kNoticed;
-        if (is_noticed && !reason.empty()) others.push_back(std::move(reason));
+        if (is_decision && share >= kNoticed && !reason.empty()) others.push_back(std::move(reason));
       }
       answer.taken = !answer.holes.empty();
-      for (const std::string& other : others) AddDoubt(other, answer);
+      const bool is_about_one = answer.reason.empty() && !others.empty() && MostLiesIn(areas_[a], *best);
+      for (const std::string& other : others) AddDoubt(is_about_one ? "" : other, answer);
       answer.is_over_hole = !shares_[a].empty();
       if (!answer.taken) CompleteReason(a, answer);
-      if (answer.taken && answer.water) {
-        AddDoubt(areas_[a].level ? DoubtOfLevel(areas_[a], answer) : DoubtOfShore(answer), answer);
-        if (areas_[a].is_mostly_open) AddDoubt(kMostlyOpen, answer);
-      }
-      if (!answer.water && areas_[a].level)
-        AddDoubt("its level_m has no effect where it says that there is no water", answer);
-      if (answer.taken && answer.water) AddDoubt(DoubtOfKind(areas_[a], answer), answer);
-      if (answer.taken && areas_[a].centreline.size() > 1) AddDoubt(DoubtOfCentreline(a, answer), answer);
-      const bool is_decision = answer.decision != ReviewDecision::kNone;
-      if ((answer.water || is_decision) && under < kCovers * taken)
-        AddDoubt(DoubtOfExtent(answer.decision, taken, under), answer);
+      AddDoubts(a, taken, under, answer);
       plan_.water_answers.push_back(std::move(answer));
     }
   }
 
  private:
+  // `taken`: m2 of the bodies that are filled as it says; `under`: what of them lies under the area.
+  void AddDoubts(size_t a, double taken, double under, WaterAnswer& answer) const {
+    if (answer.taken && answer.water) {
+      AddDoubt(areas_[a].level ? DoubtOfLevel(areas_[a], answer) : DoubtOfShore(answer), answer);
+      if (areas_[a].is_mostly_open) AddDoubt(kMostlyOpen, answer);
+    }
+    if (!answer.water && areas_[a].level)
+      AddDoubt("its level_m has no effect where it says that there is no water", answer);
+    if (answer.taken && answer.water) AddDoubt(DoubtOfKind(areas_[a], answer), answer);
+    if (answer.taken && areas_[a].centreline.size() > 1) AddDoubt(DoubtOfCentreline(a, answer), answer);
+    const bool is_decision = answer.decision != ReviewDecision::kNone;
+    if ((answer.water || is_decision) && under < kCovers * taken)
+      AddDoubt(DoubtOfExtent(answer.decision, taken, under), answer);
+  }
+
   // Who decides on a body of which areas cover `shares`; sets its decision. Who accepts what was filled leaves it to
   // the areas of --water.
   std::optional<DecidingArea> DeciderOf(const CoverLines& region, std::vector<AreaShare> shares, Body& body) const {
@@ -217,17 +259,6 @@ class Answers {
     return std::ranges::none_of(shares_[a], [&](const auto& share) {
       return plan_.holes[bodies_[share.first].holes.front()].kind != HoleKind::kClosed;
     });
-  }
-
-  static void AddDoubt(const std::string& more, WaterAnswer& answer) {
-    if (!more.empty()) answer.doubt += (answer.doubt.empty() ? "" : "; ") + more;
-  }
-
-  // A hole is water as a whole: it may reach from a lake over a tile that is missing into a river.
-  static std::string DoubtOfExtent(ReviewDecision decision, double taken, double under) {
-    const bool is_water = decision == ReviewDecision::kNone || decision == ReviewDecision::kWater;
-    return (is_water ? "it makes " + Number(taken) + " m2 water" : "it decides on " + Number(taken) + " m2") +
-           ", and " + Number(taken - under) + " m2 of that lie outside it, as the hole goes on there";
   }
 
   std::string DoubtOfLevel(const WaterArea& area, const WaterAnswer& answer) const {
@@ -317,26 +348,9 @@ class Answers {
            " m of water; it is to run from end to end";
   }
 
-  // The same of a decision, as DecideHoles took it.
-  std::string WhyNoDecision(int32_t a, const Body& body, double share) const {
-    const WaterArea& area = areas_[a];
-    if (body.decision == a || (body.decision >= 0 && SayTheSame(area, areas_[body.decision])))
-      return area.water ? WhyNoWater(plan_, body) : "";
-    if (share > kDecidingShare && body.decision >= 0)
-      return "another after it decides on the same hole: " + areas_[body.decision].label;
-    if (share > kDecidingShare) {
-      return "it does not decide on the hole at " + Place(plan_.holes[body.holes.front()].centre) +
-             ", as most of it lies in another; draw one over that hole alone";
-    }
-    return "it covers " + Number(100 * share) + " % of " + NameOf(plan_, body) + "; to decide on " +
-           (body.holes.size() > 1 ? "them, draw it over more than half of their area, or give each of them the same "
-                                    "decision"
-                                  : "it, draw it over more than half");
-  }
-
   // Why area `a` does not decide on a body; "" if it does.
   std::string WhyNot(int32_t a, const Body& body, double share) const {
-    if (areas_[a].decision != ReviewDecision::kNone) return WhyNoDecision(a, body, share);
+    if (areas_[a].decision != ReviewDecision::kNone) return WhyNoDecision(plan_, areas_, a, body, share);
     const Point2 at = plan_.holes[body.holes.front()].centre;
     const bool is_one_of_them = body.together && SayTheSame(areas_[a], areas_[body.decided_by]);
     if (is_one_of_them) return areas_[a].water ? WhyNoWater(plan_, body) : "";

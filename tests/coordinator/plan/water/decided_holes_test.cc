@@ -161,6 +161,18 @@ TEST_F(DecideHolesTest, AnAnswerIsTakenOnlyWhereItDecides) {
             "it does not decide on the hole at (0, 0), as most of it lies in another; draw one over that hole alone");
 }
 
+TEST_F(DecideHolesTest, ADecisionThatIsTakenIsSilentOnTheHolesAboveIt) {
+  AddHole(HoleKind::kClosed, BoxOf(2, 4), -1);
+  AddHole(HoleKind::kClosed, BoxOf(15, 30), -1);
+  plan_.holes[3].area = 20;
+  plan_.holes[4].area = 150;
+  for (const WaterAnswer& answer :
+       Answer({Decision(ReviewDecision::kOpen, 0, 20), Decision(ReviewDecision::kGround, 2, 4)})) {
+    EXPECT_TRUE(answer.taken) << answer.reason;
+    EXPECT_EQ(answer.doubt, "");
+  }
+}
+
 TEST_F(DecideHolesTest, ADecisionOnAHoleAndPartOfAClusterNamesThePart) {
   WaterArea area = Decision(ReviewDecision::kOpen, 50, 60);
   area.polygon.rings.push_back(BoxOf(11, 20));
