@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
@@ -13,6 +14,7 @@
 #include "client/repeated_reasons.h"
 #include "coordinator/report/json_access.h"
 #include "coordinator/report/left_open.h"
+#include "coordinator/report/page_review.h"
 
 namespace tilemend {
 namespace {
@@ -133,20 +135,43 @@ std::string LargeHolesText(const Json& report) {
       MoreText(holes.size(), "see `water` of per_hole in the report"));
 }
 
-std::string LookAtText(const Json& report) {
-  const Json& items = Member(report, "look_at");
+std::string ReviewText(const Json& report) {
+  const size_t count = FillsToDecideOn(report);
+  if (count == 0) return "";
   const HoleColumns columns(report);
+  std::map<Json, const Json*> why;  // by hole
+  for (const Json& item : Member(report, "look_at")) why[Member(item, "hole")] = &Member(item, "why");
   Rows rows;
-  for (const Json& item : items) {
+  for (const Json& item : Member(report, "review")) {
     if (rows.size() == kMostListedRows || !item.is_object()) break;
+    const auto found = why.find(Member(item, "hole"));
+    rows.push_back({HolesOf(item), Text(Member(item, "cell")), CentreText(Member(item, "centre")), columns.Area(item),
+                    Text(Member(item, "taken_for")), Decimals(Member(item, "doubt_m3"), 1),
+                    Text(Member(item, "crossings")), found == why.end() ? "" : Text(*found->second)});
+  }
+  ShortenRepeated(rows);
+  return absl::StrCat(
+      "\n", Counted(count, "fill"), " to decide on\n",
+      Table({"hole", "cell", "centre, m", "area, m2", "taken for", "doubt, m3", "crossings", "why"}, rows),
+      MoreText(count, "see `review` in the report"));
+}
+
+std::string LookAtText(const Json& report) {
+  std::set<Json> queued;
+  for (const Json& item : Member(report, "review")) queued.insert(Member(item, "hole"));
+  const HoleColumns columns(report);
+  size_t places = 0;
+  Rows rows;
+  for (const Json& item : Member(report, "look_at")) {
+    if (!item.is_object() || queued.contains(Member(item, "hole")) || ++places > kMostListedRows) continue;
     rows.push_back({HolesOf(item), Text(Member(item, "cell")), CentreText(Member(item, "centre")), columns.Area(item),
                     Text(Member(item, "why"))});
   }
   if (rows.empty()) return "";
   ShortenRepeated(rows);
-  return absl::StrCat("\n", rows.size() == 1 ? "1 place" : absl::StrCat(items.size(), " places"), " to look at\n",
+  return absl::StrCat("\n", Counted(places, "place"), " to look at\n",
                       Table({"hole", "cell", "centre, m", "area, m2", "why"}, rows),
-                      MoreText(items.size(), "see `look_at` in the report"));
+                      MoreText(places, "see `look_at` in the report"));
 }
 
 std::string PlannedHolesText(const Json& plan) {

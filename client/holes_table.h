@@ -18,7 +18,11 @@ std::string MethodsText(const nlohmann::ordered_json& report);
 // The filled holes of clusters of more than 100 m2: what they were filled as, and why. At most kMostListedRows.
 std::string LargeHolesText(const nlohmann::ordered_json& report);
 
-// The fills that a person should look at (coordinator/report/look_at.h).
+// The fills that wait for a decision (coordinator/report/review_queue.h), the most doubtful first. Their count is that
+// of the page. At most kMostListedRows.
+std::string ReviewText(const nlohmann::ordered_json& report);
+
+// The other fills that a person should look at (coordinator/report/look_at.h).
 std::string LookAtText(const nlohmann::ordered_json& report);
 
 // The holes of a plan that are to be filled, the largest first, at most kMostListedRows.

@@ -165,7 +165,7 @@ absl::StatusOr<PlanOptions> PlanOptionsOf(const Request& request, Scene& scene) 
   TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(request.water, FrameOf(scene)));
   TILEMEND_RETURN_IF_ERROR(AddClearFile(request.clear, FrameOf(scene), water));
   TILEMEND_RETURN_IF_ERROR(KeepClearInside(scene.area, water));
-  TILEMEND_RETURN_IF_ERROR(AddDecisions(request.decisions, FrameOf(scene), water));
+  TILEMEND_RETURN_IF_ERROR(AddDecisions(request.decisions, scene, water));
   for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));
   PlanOptions options;
   options.water = std::move(water.options);

@@ -142,7 +142,7 @@ std::string FiguresText(const Json& report) {
 std::string SummaryText(const Json& report) {
   return absl::StrCat(WarningsText(report), ClearedText(report), LevelsText(report), KindsText(report),
                       MethodsText(report), LargeHolesText(report), WaterText(report, "filled flat as water"),
-                      BordersText(report), LookAtText(report), LeftText(report, "left"));
+                      BordersText(report), ReviewText(report), LookAtText(report), LeftText(report, "left"));
 }
 
 std::string ReportText(const Json& report) {

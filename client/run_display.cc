@@ -74,7 +74,8 @@ std::string StageText(const v1::Job& job) {
 
 std::string ResultText(const Json& report) {
   return absl::StrCat(FilledText(report), KeptText(report), WarningLines(report),
-                      WaterText(report, "filled flat as water"), LookAtText(report), LeftText(report, "left open"));
+                      WaterText(report, "filled flat as water"), ReviewText(report), LookAtText(report),
+                      LeftText(report, "left open"));
 }
 
 RunDisplay::RunDisplay() : begin_(absl::Now()) {}

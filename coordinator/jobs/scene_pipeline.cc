@@ -420,7 +420,7 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
   TILEMEND_ASSIGN_OR_RETURN(WaterChoice water, ReadWaterChoice(spec.water(), FrameOf(scene), stop));
   TILEMEND_RETURN_IF_ERROR(AddClearFile(spec.clear(), FrameOf(scene), water, stop));
   TILEMEND_RETURN_IF_ERROR(KeepClearInside(scene.area, water));
-  TILEMEND_RETURN_IF_ERROR(AddDecisions(spec.decisions(), FrameOf(scene), water, stop));
+  TILEMEND_RETURN_IF_ERROR(AddDecisions(spec.decisions(), scene, water, stop));
   WarnOfUndoneDecisions(spec, water);
   water.options.profile = *WaterProfileNamed(spec.water_profile());
   for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));

@@ -32,6 +32,8 @@ Json PageHole(const Json& hole) {
           {"level", Member(hole, "level_m")},
           {"sigma", Member(Member(hole, "water"), "sigma_m")},
           {"doubt", Member(hole, "doubt_m3")},
+          {"crossings", Member(hole, "crossings")},
+          {"cluster", Member(hole, "cluster")},
           {"decision", Text(Member(hole, "decision"))},
           {"reason", HoleReasonOf(hole)}};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "absl/strings/escaping.h"
@@ -10,6 +11,8 @@
 #include "common/store/gzip.h"
 #include "common/util/status_macros.h"
 #include "coordinator/report/json_access.h"
+#include "coordinator/report/page_holes.h"
+#include "coordinator/report/scene_member.h"
 #include "coordinator/report/shallow_json.h"
 
 namespace tilemend {
@@ -35,13 +38,26 @@ const Json& HoleIn(const Json& feature) { return Member(Member(feature, "propert
 // Whether a reviewer decided on the hole before.
 bool IsDecided(const Json& feature) { return Member(Member(feature, "properties"), "decision").is_string(); }
 
-// holes.geojson without the features of other holes that nobody decided on.
+// Holes with a fill that belong to no item.
+std::set<int64_t> OthersOf(const Json& report, const std::map<int64_t, int64_t>& item_of) {
+  std::set<int64_t> others;
+  for (const Json& row : PageHoles(report, kMostOutlinedHoles)) {
+    const Json& hole = Member(row, "id");
+    if (Member(row, "filled") != true || !hole.is_number_integer() || item_of.contains(hole.get<int64_t>())) continue;
+    others.insert(hole.get<int64_t>());
+  }
+  return others;
+}
+
+// holes.geojson without the features of holes that nobody decided on, and that are neither in an item nor others.
 absl::StatusOr<Json> ReadHoles(const std::string& text, const std::map<int64_t, int64_t>& item_of,
-                               const std::stop_token& stop) {
+                               const std::set<int64_t>& others, const std::stop_token& stop) {
   const auto is_wanted = [&](int depth, const Json& value) {
     if (depth != 2 || !value.contains("geometry")) return true;  // the CRS has an object at this depth as well
     const Json& hole = HoleIn(value);
-    return IsDecided(value) || (hole.is_number_integer() && item_of.contains(hole.get<int64_t>()));
+    if (IsDecided(value)) return true;
+    if (!hole.is_number_integer()) return false;
+    return item_of.contains(hole.get<int64_t>()) || others.contains(hole.get<int64_t>());
   };
   Json json = ParseShallow(text, {.keep = is_wanted, .stop = stop});
   if (stop.stop_requested()) return absl::CancelledError("asked to end while holes.geojson was read");
@@ -49,19 +65,37 @@ absl::StatusOr<Json> ReadHoles(const std::string& text, const std::map<int64_t, 
   return json;
 }
 
+bool HasPolygon(const Json& feature) {
+  const Json &geometry = Member(feature, "geometry"), &type = Member(geometry, "type");
+  return (type == "Polygon" || type == "MultiPolygon") && Member(geometry, "coordinates").is_array();
+}
+
+Json OutlineOf(const Json& feature) {
+  return {{"hole", HoleIn(feature)},
+          {"cluster", Member(Member(feature, "properties"), "cluster")},
+          {"geometry", feature["geometry"]}};
+}
+
 // The polygons of each item, by its hole. Holes of an item may touch, so together they are no valid MultiPolygon.
 Json OutlinesOf(const Json& holes, const std::map<int64_t, int64_t>& item_of) {
   Json outlines = Json::object();
   for (const Json& feature : Member(holes, "features")) {
-    const Json &geometry = Member(feature, "geometry"), &hole = HoleIn(feature);
-    const Json &type = Member(geometry, "type"), &coordinates = Member(geometry, "coordinates");
-    if (!hole.is_number_integer() || !coordinates.is_array()) continue;
+    const Json& hole = HoleIn(feature);
+    if (!hole.is_number_integer() || !Member(Member(feature, "geometry"), "coordinates").is_array()) continue;
     const auto item = item_of.find(hole.get<int64_t>());
     if (item == item_of.end()) continue;
     Json& parts = outlines[absl::StrCat(item->second)];
-    if (type != "Polygon" && type != "MultiPolygon") continue;
-    const Json& cluster = Member(Member(feature, "properties"), "cluster");
-    parts.push_back({{"hole", hole}, {"cluster", cluster}, {"geometry", geometry}});
+    if (HasPolygon(feature)) parts.push_back(OutlineOf(feature));
+  }
+  return outlines;
+}
+
+Json OutlinesOfOthers(const Json& holes, const std::set<int64_t>& others) {
+  Json outlines = Json::object();
+  for (const Json& feature : Member(holes, "features")) {
+    const Json& hole = HoleIn(feature);
+    if (!hole.is_number_integer() || !others.contains(hole.get<int64_t>()) || !HasPolygon(feature)) continue;
+    outlines[absl::StrCat(hole.get<int64_t>())] = OutlineOf(feature);
   }
   return outlines;
 }
@@ -76,8 +110,7 @@ bool HasGivenLevel(const Json& properties) {
 Json EarlierOf(const Json& holes) {
   Json earlier = Json::array();
   for (const Json& feature : Member(holes, "features")) {
-    const Json& type = Member(Member(feature, "geometry"), "type");
-    if (!IsDecided(feature) || (type != "Polygon" && type != "MultiPolygon")) continue;
+    if (!IsDecided(feature) || !HasPolygon(feature)) continue;
     const Json& decided = Member(feature, "properties");
     Json properties = Json::object();
     for (const char* name : {"hole", "cluster", "decision"}) properties[name] = Member(decided, name);
@@ -94,22 +127,31 @@ absl::StatusOr<std::string> Packed(const Json& json) {
 
 }  // namespace
 
+size_t FillsToDecideOn(const Json& report) {
+  const Json& rows = Member(report, "review");
+  return rows.is_array() ? rows.size() : 0;
+}
+
 absl::StatusOr<Json> PageReview(const Json& report, const std::string& holes, const Scene* scene,
                                 const std::stop_token& stop) {
   const Json& rows = Member(report, "review");
   Json items = Json::array();
-  const size_t count = rows.is_array() ? rows.size() : 0;
+  const size_t count = FillsToDecideOn(report);
   for (size_t i = 0; i < std::min(count, kMostReviewItems); ++i) items.push_back(rows[i]);
   const std::map<int64_t, int64_t> item_of = ItemsOfHoles(items);
-  TILEMEND_ASSIGN_OR_RETURN(const Json geojson, ReadHoles(holes, item_of, stop));
+  const std::set<int64_t> others = OthersOf(report, item_of);
+  TILEMEND_ASSIGN_OR_RETURN(const Json geojson, ReadHoles(holes, item_of, others, stop));
   TILEMEND_ASSIGN_OR_RETURN(std::string outlines, Packed(OutlinesOf(geojson, item_of)));
+  TILEMEND_ASSIGN_OR_RETURN(std::string of_others, Packed(OutlinesOfOthers(geojson, others)));
   const Json decided = EarlierOf(geojson);
   TILEMEND_ASSIGN_OR_RETURN(std::string earlier, Packed(decided));
   return Json{{"count", count},
               {"items", std::move(items)},
               {"z", scene == nullptr ? Json() : Json(scene->origin.z())},
               {"crs", Member(geojson, "crs")},
+              {"scene", Member(geojson, kSceneMember)},
               {"outlines", std::move(outlines)},
+              {"others", std::move(of_others)},
               {"decided", decided.size()},
               {"earlier", std::move(earlier)}};
 }

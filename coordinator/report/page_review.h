@@ -14,14 +14,21 @@ namespace tilemend {
 
 // Fills of less doubt are not in the page's queue: it holds the outline of each.
 inline constexpr size_t kMostReviewItems = 1000;
+// Of the other holes with a fill it has the outlines of at most so many: those that the table of report.html lists.
+inline constexpr size_t kMostOutlinedHoles = 20000;
+
+// How many fills wait for a decision: the rows of the report's `review`. 0 if it has none.
+size_t FillsToDecideOn(const nlohmann::ordered_json& report);
 
 // As JSON for the page (web/src/data.ts). `holes` is the text of holes.geojson.
-//   count     of all fills with a doubt
+//   count     FillsToDecideOn
 //   items     those of the most doubt, as the report's `review` has them
 //   z         the height of their levels' zero; null without `scene`
 //   crs       of `holes`
+//   scene     that `holes` is of (scene_member.h); null if it does not say
 //   outlines  base64 of gzip of an object: by hole number of the item a list of {hole, cluster, geometry}, one of each
 //             of its holes that has a polygon
+//   others    the same of an object: by number of another hole with a fill its {hole, cluster, geometry}
 //   decided   count of `earlier`
 //   earlier   the same of a list: the features of decisions that were made before, as they were made. The next file
 //             has them too

@@ -15,7 +15,8 @@
 namespace tilemend {
 namespace {
 
-constexpr size_t kMostAnswers = 10;  // that are warnings: a file may have the waters of a country
+constexpr size_t kMostAnswers = 10;     // that are warnings: a file may have the waters of a country
+constexpr size_t kMostDecisions = 100;  // the same of decisions, each of which a reviewer made
 
 // For each body of water that goes on in a hole that is left at the rim of an unknown area, its first hole. They share
 // a stretch of seam, which the one has forwards and the other backwards.
@@ -59,11 +60,16 @@ std::string NameOf(const WaterAnswer& answer) {
 
 std::vector<std::string> PlanWarnings(const Plan& plan) {
   std::vector<std::string> warnings;
-  std::vector<std::string> doubts;
-  size_t not_taken = 0;
+  std::vector<std::string> doubts, doubts_of_decisions;
+  size_t not_taken = 0, decisions_not_taken = 0;
   for (const WaterAnswer& answer : plan.water_answers) {
-    if (!answer.doubt.empty()) doubts.push_back(absl::StrFormat("%s: %s", NameOf(answer), answer.doubt));
-    if (answer.reason.empty() || ++not_taken > kMostAnswers) continue;
+    const bool is_decision = answer.decision != ReviewDecision::kNone;
+    if (!answer.doubt.empty()) {
+      std::vector<std::string>& list = is_decision ? doubts_of_decisions : doubts;
+      list.push_back(absl::StrFormat("%s: %s", NameOf(answer), answer.doubt));
+    }
+    if (answer.reason.empty()) continue;
+    if (is_decision ? ++decisions_not_taken > kMostDecisions : ++not_taken > kMostAnswers) continue;
     warnings.push_back(absl::StrFormat("%s is %s: %s", NameOf(answer),
                                        answer.taken ? "taken for smaller holes only" : "not taken", answer.reason));
   }
@@ -71,8 +77,14 @@ std::vector<std::string> PlanWarnings(const Plan& plan) {
     warnings.push_back(absl::StrFormat("%d of %d polygons are not taken; the report lists all (water_areas)", not_taken,
                                        plan.water_answers.size()));
   }
+  if (decisions_not_taken > kMostDecisions) {
+    warnings.push_back(
+        absl::StrFormat("%d decisions are not taken; the report lists all (water_areas)", decisions_not_taken));
+  }
   KeepFirst(kMostAnswers, "doubts of polygons (water_areas in the report)", doubts);
   std::ranges::move(doubts, std::back_inserter(warnings));
+  KeepFirst(kMostDecisions, "doubts of decisions (water_areas in the report)", doubts_of_decisions);
+  std::ranges::move(doubts_of_decisions, std::back_inserter(warnings));
   WarnOfWaterAtUnknownRim(plan, warnings);
   if (!plan.single_mesh && plan.lattice_step > kMeetTolerance) {
     warnings.push_back(absl::StrFormat(

@@ -43,6 +43,7 @@ Json RowOf(const Plan& plan, const HoleEvidence& evidence, const ReviewedGroup& 
   row.update(HoleEvidenceJson(evidence));
   row["doubt_m"] = Rounded(group.doubt, 4);
   row["doubt_m3"] = Rounded(group.doubt * group.area, 3);
+  if (group.crossings > 0) row["crossings"] = group.crossings;
   return row;
 }
 
@@ -61,6 +62,8 @@ std::vector<ReviewedGroup> ReviewedGroups(const SceneReportInput& input) {
     if (group.largest < 0 || hole.area > plan.holes[group.largest].area) group.largest = id;
     group.area += hole.area;
     group.rim += hole.perimeter;
+    if (const auto size = input.outcome.sizes.find(id); size != input.outcome.sizes.end())
+      group.crossings += size->second.crossings;
   }
   for (size_t e = 0; e < groups.size(); ++e) {
     const HoleEvidence& evidence = plan.evidence[e];

@@ -17,6 +17,7 @@ struct ReviewedGroup {
   double area = 0;             // m2
   double rim = 0;              // metres of original boundary
   double doubt = 0;            // metres
+  int64_t crossings = 0;       // triangles of their patches that cross others (HolePatch::crossings)
 };
 
 // By evidence. The doubt is the height error that is to be expected (docs/decisions/2026-11-27-review.md):
@@ -35,7 +36,7 @@ const char* DecisionOn(const Plan& plan, int32_t hole);
 
 // A row for each group with a doubt, by doubt x area, the largest first. It has "hole" (its largest), "holes", "cell"
 // and "centre" of that, "area_m2" of all. Then what it was taken for and why (HoleEvidenceJson), "doubt_m" and
-// "doubt_m3".
+// "doubt_m3", and "crossings" if there are any.
 nlohmann::ordered_json ReviewJson(const SceneReportInput& input);
 
 }  // namespace tilemend

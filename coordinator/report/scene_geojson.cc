@@ -17,6 +17,7 @@
 #include "coordinator/report/left_open.h"
 #include "coordinator/report/review_queue.h"
 #include "coordinator/report/ring_chains.h"
+#include "coordinator/report/scene_member.h"
 
 namespace tilemend {
 namespace {
@@ -45,7 +46,8 @@ class Features {
  public:
   explicit Features(const Scene& scene) : origin_(scene.origin) {
     const Json crs = {{"type", "name"}, {"properties", {{"name", CrsName(scene.crs)}}}};
-    text_ = absl::StrCat("{\"type\": \"FeatureCollection\",\n\"crs\": ", Dump(crs), ",\n\"features\": [");
+    text_ = absl::StrCat("{\"type\": \"FeatureCollection\",\n\"crs\": ", Dump(crs), ",\n\"", kSceneMember,
+                         "\": ", Dump(SceneMemberOf(scene)), ",\n\"features\": [");
   }
 
   // What `segments` wind around as polygons, with heights if given; as lines if that is nothing.

@@ -14,6 +14,7 @@
 #include "common/store/digest.h"
 #include "common/util/status_macros.h"
 #include "coordinator/plan/types/meet_tolerance.h"
+#include "coordinator/report/scene_member.h"
 
 namespace tilemend {
 namespace {
@@ -121,11 +122,12 @@ absl::Status AddClearFile(const std::string& value, const SceneFrame& frame, Wat
   return absl::OkStatus();
 }
 
-absl::Status AddDecisions(const std::string& value, const SceneFrame& frame, WaterChoice& choice,
+absl::Status AddDecisions(const std::string& value, const Scene& scene, WaterChoice& choice,
                           const std::stop_token& stop) {
   if (value.empty()) return absl::OkStatus();
   TILEMEND_ASSIGN_OR_RETURN(const VectorBytes bytes, ReadAreaFile(value));
-  TILEMEND_ASSIGN_OR_RETURN(WaterFile file, ParseDecisionFile(bytes, value, frame, stop));
+  TILEMEND_RETURN_IF_ERROR(CheckSceneMember(bytes.bytes, value, scene));
+  TILEMEND_ASSIGN_OR_RETURN(WaterFile file, ParseDecisionFile(bytes, value, FrameOf(scene), stop));
   std::ranges::move(file.areas, std::back_inserter(choice.options.areas));
   std::ranges::move(file.warnings, std::back_inserter(choice.warnings));
   choice.decisions_digest = Sha256Hex(ContentOf(bytes));

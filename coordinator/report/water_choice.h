@@ -9,6 +9,7 @@
 
 #include "absl/status/statusor.h"
 #include "common/gis/vector_file.h"
+#include "common/grid/scene.h"
 #include "common/records/stored_record.h"
 #include "coordinator/plan/types/plan_types.h"
 
@@ -41,8 +42,8 @@ absl::Status AddClearFile(const std::string& value, const SceneFrame& frame, Wat
                           const std::stop_token& stop = {});
 
 // The value of --decisions: adds the decisions of the file behind the areas that are there. "" adds none. Errors of
-// ReadAreaFile and ParseDecisionFile, with the file in their text.
-absl::Status AddDecisions(const std::string& value, const SceneFrame& frame, WaterChoice& choice,
+// ReadAreaFile, CheckSceneMember and ParseDecisionFile, with the file in their text.
+absl::Status AddDecisions(const std::string& value, const Scene& scene, WaterChoice& choice,
                           const std::stop_token& stop = {});
 
 // kInvalidArgument, naming the first, if an area has a level more than kMostLevelOff above or below all of the surface:

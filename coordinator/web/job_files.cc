@@ -183,6 +183,7 @@ LoadedValues<std::string>::Result LoadHoles(const std::string& name, const JobSp
   return TextOf({{"holeCount", HoleRowsOf(report).size()},
                  {"holes", PageHoles(report, kMostListedHoles)},
                  {"planned", false},
+                 {"fillsToDecide", FillsToDecideOn(report)},
                  {"warnings", warnings.is_array() ? warnings : Json::array()}});
 }
 

@@ -70,6 +70,23 @@ TEST(LookAtTextTest, ListsPlaces) {
             "   7  [0,1]  [1.50,2.50]     300.0  it is large\n");
 }
 
+TEST(ReviewTextTest, CountsTheFillsOfTheReportAndLooksAtNoneTwice) {
+  Json report;
+  EXPECT_EQ(ReviewText(report), "");
+  report["look_at"] = Json::parse(R"([{"hole": 7, "why": "it is large"}, {"hole": 9, "area_m2": 4, "why": "no rim"}])");
+  report["review"] = Json::parse(R"([
+      {"hole": 7, "holes": [7, 8], "cell": [0, 1], "centre": [1.5, 2.5], "area_m2": 300, "taken_for": "lake",
+       "doubt_m3": 9.25, "crossings": 3},
+      {"hole": 5, "holes": [5], "cell": [0, 2], "centre": [4, 5], "area_m2": 120, "taken_for": "ground", "doubt_m3": 2}])");
+  EXPECT_EQ(ReviewText(report),
+            "\n2 fills to decide on\n"
+            "hole          cell   centre, m    area, m2  taken for  doubt, m3  crossings  why\n"
+            "7 and 1 more  [0,1]  [1.50,2.50]     300.0  lake             9.2          3  it is large\n"
+            "5             [0,2]  [4.00,5.00]     120.0  ground           2.0\n");
+  EXPECT_THAT(LookAtText(report), HasSubstr("\n1 place to look at\n"));
+  EXPECT_THAT(LookAtText(report), HasSubstr("no rim"));
+}
+
 TEST(LookAtTextTest, SaysOfHowManyHolesTheAreaIs) {
   Json report;
   report["look_at"].push_back({{"hole", 7},

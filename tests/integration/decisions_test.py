@@ -66,7 +66,7 @@ def two_bodies(report):
 
 
 class Marks:
-    """Decisions, with the polygons of holes.geojson, as report.html writes them."""
+    """Decisions, with the polygons of holes.geojson and the scene that they are of, as report.html writes them."""
 
     def __init__(self, out):
         with open(os.path.join(out, 'holes.geojson')) as file:
@@ -88,7 +88,7 @@ class Marks:
 
     def write(self, path):
         with open(path, 'w') as file:
-            json.dump({'type': 'FeatureCollection', 'crs': self.holes['crs'], 'features': self.features}, file)
+            json.dump(dict(self.holes, features=self.features), file)
         return path
 
 
@@ -144,6 +144,37 @@ def check_refusals(tilemend, scene, out, marks, folder):
         expect('is the file of another scene?' in text and tiles_of(out) == tiles, f'decisions on another scene: {text}')
 
 
+def check_another_scene(tilemend, scene, out, file, folder):
+    """Decisions on another scene are refused by its name, though they lie over holes here."""
+    with open(file) as read:
+        marks = json.load(read)
+    tiles = tiles_of(out)
+    expect(marks['tilemend_scene']['name'] == 'scene', f"holes.geojson is of {marks.get('tilemend_scene')}")
+    marks['tilemend_scene']['name'] = 'harbour'
+    other = os.path.join(folder, 'harbour.geojson')
+    for member, codes in ((True, (4,)), (False, (0, 100))):
+        if not member:
+            del marks['tilemend_scene']
+        with open(other, 'w') as written:
+            json.dump(marks, written)
+        text = run(tilemend, 'run', scene, '--out', out, '--decisions', other, codes=codes)
+        expect(("its decisions are on scene 'harbour'" in text) == member, f'decisions on another scene: {text}')
+        expect(tiles_of(out) == tiles, 'the decisions of a copy without its scene write other tiles')
+
+
+def check_part(tilemend, scene, out, folder, before):
+    """A decision on a part of holes that are decided on together is named, with what to do."""
+    item = next(i for i in before['review'] if len(i['holes']) > 1)
+    part = min(item['holes'], key=lambda hole: next(row['area_m2'] for row in before['per_hole'] if row['id'] == hole))
+    marks = Marks(out)
+    marks.add({'hole': part, 'holes': [part]}, 'open')
+    run(tilemend, 'run', scene, '--out', out, '--decisions', marks.write(os.path.join(folder, 'part.geojson')))
+    report = report_of(out)
+    expect(not any('decision' in row for row in report['per_hole']), 'a decision on a part has an effect')
+    expect(any(f'decision on hole {part} is not taken' in w and 'which are decided on together; to decide on them' in w
+               for w in report['warnings']), f"no warning of a decision on a part: {report['warnings']}")
+
+
 def check_accepting(tilemend, scene, out, file, before, tiles):
     """Accepting changes nothing; ground is not level."""
     lake, other = two_bodies(before)
@@ -161,6 +192,7 @@ def check_reruns(tilemend, folder):
     scene, out = os.path.join(folder, 'scene'), os.path.join(folder, 'out')
     before, tiles = report_of(out), tiles_of(out)
     check_queue(before)
+    expect(f"\n{len(before['review'])} fills to decide on\n" in run(tilemend, 'report', out), 'the end has another count than the report')
     lake, other = two_bodies(before)
     level = lake['level_m'] + RAISED
     marks = Marks(out)
@@ -191,6 +223,8 @@ def check_reruns(tilemend, folder):
     again = tiles_of(out)
     run(tilemend, 'run', scene, '--out', out, '--decisions', file)
     expect(tiles_of(out) == again, 'the same decisions write a tile again')
+    check_another_scene(tilemend, scene, out, file, folder)
+    check_part(tilemend, scene, out, folder, before)
     check_accepting(tilemend, scene, out, file, before, tiles)
     check_refusals(tilemend, scene, out, file, folder)
 

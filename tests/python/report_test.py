@@ -69,7 +69,7 @@ class ReportTest(unittest.TestCase):
         self.write('report.json', EMPTY)
         ring = [[0, 0], [1, 0], [1, 1], [0, 0]]
         found = {'hole': 3, 'decision': 'water', 'level_m': 2.5, 'sigma_m': 0.1}
-        self.write('holes.geojson', {'type': 'FeatureCollection', 'features': [
+        self.write('holes.geojson', {'type': 'FeatureCollection', 'tilemend_scene': {'name': 'city'}, 'features': [
             {'type': 'Feature', 'properties': properties, 'geometry': {'type': 'Polygon', 'coordinates': [ring]}}
             for properties in (found, dict(found, hole=4, sigma_m=None))]})
         report = tilemend.read_report(self.folder)
@@ -81,8 +81,10 @@ class ReportTest(unittest.TestCase):
         path = os.path.join(self.folder, 'd.geojson')
         report.write_decisions(path, {})
         with open(path, encoding='utf-8') as file:
-            rows = [feature['properties'] for feature in json.load(file)['features']]
+            written = json.load(file)
+        rows = [feature['properties'] for feature in written['features']]
         self.assertEqual([(row['hole'], row['level_m']) for row in rows], [(3, None), (4, 2.5)])
+        self.assertEqual(written['tilemend_scene'], {'name': 'city'})
         self.assertEqual(sorted(os.listdir(self.folder)), ['d.geojson', 'holes.geojson', 'report.json'])
 
     def test_damaged_files_are_errors_of_tilemend(self):

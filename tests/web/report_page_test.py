@@ -109,6 +109,37 @@ def check_second_round(program, folder, chromium, temporary):
         fail(f'the second round changed what the first decided: {first}, {second}')
 
 
+def check_other_fill(program, folder, chromium, temporary):
+    """A hole with a fill that is not in the queue is decided on from the table of holes, where its crossings are."""
+    scene, out = os.path.join(temporary, 'scene'), os.path.join(temporary, 'other')
+    done = run(program, 'run', scene, '--out', out)
+    if done.returncode:
+        fail(done.stdout)
+    path = os.path.join(out, 'report.json')
+    with open(path) as file:
+        report = json.load(file)
+    row = report['per_hole'][-1]
+    row['crossings'] = 5
+    report['review'] = []
+    with open(path, 'w') as file:
+        json.dump(report, file)
+    shutil.copy(os.path.join(HERE, 'decide_hole.mjs'), folder)
+    marks = os.path.join(folder, 'other.geojson')
+    for command in ((program, 'report', out, '--html'),
+                    ('node', 'decide_hole.mjs', os.path.join(out, 'report.html'), chromium, marks, str(row['id'])),
+                    (program, 'run', scene, '--out', out, '--decisions', marks)):
+        done = run(*command, cwd=folder)
+        if done.returncode:
+            fail(done.stdout)
+    with open(marks) as file:
+        if json.load(file)['tilemend_scene']['name'] != 'scene':
+            fail('the file of the page does not say which scene it is of')
+    with open(path) as file:
+        decided = {r['id']: r['decision'] for r in json.load(file)['per_hole'] if 'decision' in r}
+    if decided != {row['id']: 'open'}:
+        fail(f"the mark on hole {row['id']} gave {decided}")
+
+
 def make_page(folder, program):
     """The page of an output whose report has texts with markup in it."""
     scene, out = os.path.join(folder, 'scene'), os.path.join(folder, 'out')
@@ -173,6 +204,7 @@ def main():
             fail(done.stdout)
         check_decisions(program, temporary, os.path.join(folder, 'decisions.geojson'))
         check_second_round(program, folder, chromium, temporary)
+        check_other_fill(program, folder, chromium, temporary)
     print('the page works')
 
 

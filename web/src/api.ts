@@ -28,7 +28,7 @@ export interface Cells {
   hasTiles: boolean; isRemembered: boolean; cells: string; held: [number, number][]; failures: Failure[];
 }
 
-export interface Holes { holeCount: number; holes: Hole[]; planned: boolean; warnings?: string[] }
+export interface Holes { holeCount: number; holes: Hole[]; planned: boolean; warnings?: string[]; fillsToDecide?: number }
 
 export interface JobReview {
   scene: string | null; out?: string; date: string | null; changed_options?: Record<string, unknown>; look_at: LookAt[] | null; review: Review;

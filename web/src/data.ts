@@ -15,6 +15,8 @@ export interface Hole {
   level: Level;
   sigma: number | null;
   doubt: number | null; // m3
+  crossings: number | null; // triangles of the patch that cross others
+  cluster: number | null;   // holes of one are decided on together; -1 or null: of none
   decision: string;
   reason: string;
   planned?: boolean;    // it is not known yet what becomes of it
@@ -49,8 +51,9 @@ export interface ReviewItem {
   level_m?: number;
   sigma_m?: number;
   reason: string;
-  doubt_m: number;
-  doubt_m3: number;
+  doubt_m: number | null; // null: it is not in doubt
+  doubt_m3: number | null;
+  crossings?: number;
 }
 
 export interface Review {
@@ -58,7 +61,9 @@ export interface Review {
   items: ReviewItem[];
   z: number | null; // the height of the levels' zero
   crs: unknown;
+  scene?: unknown;  // that the outlines are of, for the file
   outlines: string; // gzip, as base64: by hole of the item its Outlines
+  others: string;   // the same: by hole the Outline of each other hole with a fill
   decided?: number; // count of `earlier`
   earlier: string;  // the same: the features of decisions that were made before
 }

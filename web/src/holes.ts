@@ -12,6 +12,7 @@ interface Column {
   title: string;
   label?: string; // before the value where the table is narrow
   isNumber: boolean;
+  isOptional?: boolean; // not shown where no hole has a text
   text: (hole: Hole) => string;
   key: (hole: Hole) => number | string;
 }
@@ -34,6 +35,7 @@ const COLUMNS: Column[] = [
   { title: 'level [m]', label: 'level', isNumber: true, text: (h) => levelText(h.level), key: (h) => firstLevel(h.level) },
   { title: 'sigma [m]', label: 'sigma', isNumber: true, text: (h) => number(h.sigma, 3), key: (h) => h.sigma ?? -Infinity },
   { title: 'doubt [m\u00b3]', label: 'doubt', isNumber: true, text: (h) => number(h.doubt, 1), key: (h) => h.doubt ?? -Infinity },
+  { title: 'crossings', label: 'crossings', isNumber: true, isOptional: true, text: (h) => number(h.crossings), key: (h) => h.crossings ?? 0 },
   { title: 'reason', isNumber: false, text: (h) => h.reason, key: (h) => h.reason },
 ];
 
@@ -63,8 +65,8 @@ function least(name: string): HTMLInputElement {
   return el('input', { type: 'number', min: '0', step: 'any', placeholder: name, 'aria-label': name, class: 'least' });
 }
 
-// `choose` hears of a hole whose row was chosen.
-export function holesTable(rows: HoleRows, choose?: (hole: Hole) => void): HolesTable {
+// `choose` hears of a hole whose row was chosen, `decide` of one with a fill whose button was.
+export function holesTable(rows: HoleRows, choose?: (hole: Hole) => void, decide?: (hole: Hole) => void): HolesTable {
   let report = rows;
   let sorted: { column: number; down: boolean } | null = null;
   let shown = STEP;
@@ -84,11 +86,14 @@ export function holesTable(rows: HoleRows, choose?: (hole: Hole) => void): Holes
     kind.replaceChildren(el('option', { value: '' }, 'all kinds'), ...names.map((name) => el('option', { value: name }, name)));
     kind.value = names.includes(before) ? before : '';
   };
-  const area = least('least area [m\u00b2]'), sigma = least('least sigma [m]');
+  const area = least('least area [m\u00b2]'), sigma = least('least sigma [m]'), crossings = least('least crossings');
   const count = el('span', { class: 'quiet', role: 'status' });
   const head = el('tr'), body = el('tbody');
   const more = el('button', { type: 'button', click: () => { shown += 10 * STEP; update(); } }, 'show more');
 
+  const decideButton = (hole: Hole): (Node | string)[] => (!decide || !hole.filled || hole.planned ? [] : [' ', el('button', {
+    type: 'button', class: 'decidehole', 'aria-label': `decide on hole ${hole.id}`,
+    click: (event) => { event.stopPropagation(); decide(hole); } }, 'decide')]);
   const rest = el('p', { class: 'quiet onlyprint' });
 
   const matching = (): Hole[] => {
@@ -99,6 +104,7 @@ export function holesTable(rows: HoleRows, choose?: (hole: Hole) => void): Holes
       (kind.value === '' || kind.value === hole.kind) &&
       (area.value === '' || (hole.area ?? Infinity) >= Number(area.value)) &&
       (sigma.value === '' || (hole.sigma ?? -Infinity) >= Number(sigma.value)) &&
+      (crossings.value === '' || (hole.crossings ?? 0) >= Number(crossings.value)) &&
       (words === '' || COLUMNS.some((column) => column.text(hole).toLowerCase().includes(words))));
     if (!sorted) return holes;
     const { key } = COLUMNS[sorted.column]!, sign = sorted.down ? -1 : 1;
@@ -116,12 +122,14 @@ export function holesTable(rows: HoleRows, choose?: (hole: Hole) => void): Holes
     const focused = body.contains(document.activeElement) ? (document.activeElement as HTMLElement).dataset['hole'] : undefined;
     const listedHere = holes.slice(0, shown), seen = new Set<string>();
     const blank = COLUMNS.map((c) => (listedHere.some((hole) => c.text(hole) !== '') ? '' : 'blank')); // not printed
-    const kind = (c: Column, i: number) => [c.isNumber ? 'number' : '', blank[i]].filter(Boolean).join(' ');
+    const absent = COLUMNS.map((c) => (c.isOptional && report.per_hole.every((hole) => c.text(hole) === '') ? 'absent' : ''));
+    const kind = (c: Column, i: number) => [c.isNumber ? 'number' : '', blank[i], absent[i]].filter(Boolean).join(' ');
+    crossings.hidden = absent[COLUMNS.findIndex((c) => c.title === 'crossings')] !== '';
     body.replaceChildren(...listedHere.map((hole) =>
       el('tr', { 'data-hole': String(hole.id), class: hole.counts && !hole.planned ? 'open' : '', ...(choose ? { tabindex: '0', click: () => choose(hole),
         keydown: (event: Event) => { if ((event as KeyboardEvent).key === 'Enter') choose(hole); } } : {}) },
         ...COLUMNS.map((c, i) => (c.title === 'reason' ? reasonCell(hole.reason, seen)
-          : el('td', { class: kind(c, i), ...(c.label ? { 'data-label': c.label } : {}) }, c.text(hole)))))));
+          : el('td', { class: kind(c, i), ...(c.label ? { 'data-label': c.label } : {}) }, c.text(hole), ...(c.title === 'outcome' ? decideButton(hole) : [])))))));
     if (focused) body.querySelector<HTMLElement>(`tr[data-hole="${focused}"]`)?.focus({ preventScroll: true });
     more.hidden = holes.length <= shown;
     head.querySelectorAll('th').forEach((th, i) => {
@@ -138,13 +146,13 @@ export function holesTable(rows: HoleRows, choose?: (hole: Hole) => void): Holes
     };
     head.append(el('th', { 'data-title': column.title }, el('button', { type: 'button', click: sort }, column.title)));
   });
-  for (const input of [search, outcome, kind, area, sigma]) {
+  for (const input of [search, outcome, kind, area, sigma, crossings]) {
     input.addEventListener('input', () => { shown = STEP; update(); });
   }
   tellKinds();
   update();
   const element = el('div', {},
-    el('div', { class: 'filters' }, search, ofCell, outcome, kind, area, sigma, count),
+    el('div', { class: 'filters' }, search, ofCell, outcome, kind, area, sigma, crossings, count),
     el('div', { class: 'scroll' }, el('table', { class: 'holes' }, el('thead', {}, head), body)), rest, more);
   function setCell(next: readonly number[] | null): void {
     cell = next;

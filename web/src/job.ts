@@ -10,7 +10,7 @@ import { type HoleRows, holesTable, type HolesTable, squareMetres } from './hole
 import { JobMap, STATE_NAMES } from './job_map';
 import { isOver } from './jobs';
 import { Card, makeRenderer, MARK_NAME } from './pictures';
-import { reviewQueue } from './review';
+import { type ReviewQueue, reviewQueue } from './review';
 import { readCell } from './tile';
 import { warningList } from './warnings';
 
@@ -55,7 +55,7 @@ export class JobView {
   private toldWarnings = '[]';
   private lines: LogLines = { lines: [] };
   private table: HolesTable | null = null;
-  private readonly reviewed = new Map<number, number>(); // by hole, the hole of its row in the queue
+  private queue: ReviewQueue | null = null; // null: it is not shown
   private offered = '';    // of the review
   private shown: [[number, number], Hole | null] | null = null; // what the detail is of
 
@@ -180,8 +180,8 @@ export class JobView {
       const button = el('button', { type: 'button', click: () => this.showPicture(cell, hole, button) }, 'show before and after');
       parts.push(button);
     }
-    if ((hole?.doubt || hole?.decision) && !this.holes?.planned) {
-      parts.push(el('button', { type: 'button', class: 'toreview', click: () => void this.showReview(hole) }, hole.decision ? 'see the decisions' : 'decide on it in the review queue'));
+    if (hole?.filled && !this.holes?.planned || hole?.decision) {
+      parts.push(el('button', { type: 'button', class: 'toreview', click: () => void this.showReview(hole.decision ? null : hole) }, hole.decision ? 'see the decisions' : 'decide on it in the review queue'));
     }
     this.card?.dispose();
     this.card = null;
@@ -217,10 +217,10 @@ export class JobView {
 
   // A line that opens the queue, which may be large.
   private offerReview(holes: Holes | null): void {
-    if (this.reviewed.size > 0 || this.reviewBox.querySelector('.review')) return;
-    const known = holes && !holes.planned ? holes.holes : [];
-    const doubtful = known.filter((hole) => hole.doubt && !hole.decision).length, decided = known.filter((hole) => hole.decision).length;
-    const told = [doubtful > 0 ? `${counted(doubtful, 'hole')} to decide on` : '', decided > 0 ? `${number(decided)} decided on` : ''];
+    if (this.queue) return;
+    const known = holes && !holes.planned ? holes.holes : [], toDecide = holes?.fillsToDecide ?? 0;
+    const decided = known.filter((hole) => hole.decision).length;
+    const told = [toDecide > 0 ? `${counted(toDecide, 'fill')} to decide on` : '', decided > 0 ? `${counted(decided, 'hole')} decided on` : ''];
     const text = told.filter(Boolean).join(', ');
     if (text === this.offered) return;
     this.offered = text;
@@ -231,7 +231,7 @@ export class JobView {
   // The queue of the report, with the row of the hole in focus.
   private async showReview(hole: Hole | null): Promise<void> {
     try {
-      if (this.reviewed.size === 0) await this.readReview();
+      this.queue ??= await this.readReview();
     } catch (error) {
       if (error instanceof ApiError && error.status === 503) {
         this.reviewBox.replaceChildren(el('p', { class: 'quiet' }, 'The review queue is being read.'));
@@ -241,18 +241,16 @@ export class JobView {
       this.reviewBox.replaceChildren(el('p', { class: 'warning' }, `The review queue cannot be shown: ${(error as Error).message}`));
       return;
     }
-    const row = this.reviewBox.querySelector<HTMLElement>(`tr[data-hole="${this.reviewed.get(hole?.id ?? -1) ?? ''}"]`);
-    (row ?? this.reviewBox).scrollIntoView({ block: row ? 'center' : 'start' });
-    row?.focus();
+    if (hole) this.queue.decide(hole);
+    else this.reviewBox.scrollIntoView({ block: 'start' });
   }
 
-  private async readReview(): Promise<void> {
+  private async readReview(): Promise<ReviewQueue> {
     const { review, ...report } = await get<JobReview>(`/v1/${this.name}/review`);
     const { listen } = await get<Me>('/v1/me'), at = coordinatorAt(listen ?? '', location.hostname);
-    this.reviewBox.replaceChildren(el('h2', {}, 'Review'), reviewQueue(report, review, decisionsCommand(report, 'submit', at),
-      'FILE is the path of the downloaded file in a folder that coordinator and workers may read (--root).'));
-    for (const item of review.items) {
-      for (const id of item.holes) this.reviewed.set(id, item.hole);
-    }
+    const queue = reviewQueue(report, review, this.holes?.holes ?? [], decisionsCommand(report, 'submit', at),
+      'FILE is the path of the downloaded file in a folder that coordinator and workers may read (--root).');
+    this.reviewBox.replaceChildren(el('h2', {}, 'Review'), queue.element);
+    return queue;
   }
 }

@@ -8,15 +8,21 @@ import { MARK_NAME, pictures } from './pictures';
 import { reviewQueue } from './review';
 import { warningList } from './warnings';
 
+// The places to look at that are not in the review queue.
+function otherLooks(report: Report): LookAt[] {
+  const queued = new Set(report.review?.items.map((item) => item.hole));
+  return (report.look_at ?? []).filter((look) => !queued.has(look.hole ?? -1));
+}
+
 // The program's verdict: what does not count makes no output partial.
 function verdict(report: Report): HTMLElement {
   const { filled, left, counting } = report.verdict;
-  const looks = report.look_at?.length ?? 0;
+  const toDecide = report.review?.count ?? 0, looks = otherLooks(report).length;
   const text = left > 0 ? `${counted(filled, 'hole')} filled, ${number(left)} left open`
     : filled > 0 ? `All ${counted(filled, 'hole')} filled` : 'No hole was found';
   const uncounted = report.verdict.uncounted.replace(/^; /, '').replaceAll('m2', 'm\u00b2');
   const next = [left > 0 ? 'The holes that were left have their reasons in the table.' : '', uncounted ? `${uncounted}.` : '',
-    looks > 0 ? `${counted(looks, 'place')} to look at.` : ''].filter(Boolean).join(' ');
+    toDecide > 0 ? `${counted(toDecide, 'fill')} to decide on.` : '', looks > 0 ? `${counted(looks, 'place')} to look at.` : ''].filter(Boolean).join(' ');
   return el('div', { class: counting > 0 ? 'verdict open' : 'verdict' }, el('strong', {}, text), ...(next ? [el('span', {}, next)] : []));
 }
 
@@ -82,17 +88,18 @@ function options(report: Report): HTMLElement {
 }
 
 function build(report: Report): HTMLElement[] {
-  const holes = holesTable(report);
+  const review = report.review, hasFills = report.per_hole.some((hole) => hole.filled);
+  const isReviewed = review && (hasFills || review.items.length > 0 || (review.decided ?? 0) > 0);
+  const queue = isReviewed ? reviewQueue(report, review, report.per_hole, decisionsCommand(report)) : null;
+  const holes = holesTable(report, undefined, queue?.decide);
   const parts: HTMLElement[] = [
     el('header', {}, el('h1', {}, 'tilemend report'),
       el('p', { class: 'quiet' }, [report.scene, report.date, report.version && `release ${report.version}`].filter(Boolean).join(' \u00b7 ')),
       el('button', { type: 'button', class: 'print', click: () => window.print() }, 'Print or save as PDF')),
     verdict(report), ...(report.warnings?.length ? [warningList(report.warnings)] : []), facts(report)];
   parts.push(section('Cells', cellMap(report, holes.showCell)));
-  const review = report.review;
-  if (review && (review.items.length > 0 || (review.decided ?? 0) > 0)) parts.push(section('Review', reviewQueue(report, review, decisionsCommand(report))));
-  const queued = new Set(review?.items.map((item) => item.hole));
-  const others = (report.look_at ?? []).filter((look) => !queued.has(look.hole ?? -1));
+  if (queue) parts.push(section('Review', queue.element));
+  const others = otherLooks(report);
   if (others.length) parts.push(section('Places to look at', looks(others, report.per_hole)));
   parts.push(section('The largest fills', el('p', { class: 'quiet' }, report.pictures.length > 0 ? HOW_TO_LOOK : whyNoPictures(report)),
     ...report.picture_problems.map((text) => el('p', { class: 'warning' }, text)), pictures(report)));

@@ -1,6 +1,6 @@
 // The review queue: what a reviewer decides on fills in doubt. It is kept in the browser until it is downloaded.
 import { copyable } from './command';
-import type { LookAt, Outline, Report, Review, ReviewItem } from './data';
+import type { Hole, LookAt, Outline, Report, Review, ReviewItem } from './data';
 import { areaText, counted, el, holesText, number } from './dom';
 import { unzip } from './unzip';
 
@@ -77,14 +77,14 @@ function levelOf(text: string): number | null | undefined {
 }
 
 // A feature for each hole: those of one mark may touch, so together they are no valid MultiPolygon. Earlier decisions
-// come first: of several on one hole the last one decides.
-export function decisionsGeoJson(earlier: unknown[], marks: [number, Mark][], outlines: Outlines, crs: unknown): string {
+// come first: of several on one hole the last one decides. `scene` as kSceneMember in coordinator/report/scene_member.h.
+export function decisionsGeoJson(earlier: unknown[], marks: [number, Mark][], outlines: Outlines, crs: unknown, scene: unknown): string {
   const made = marks.flatMap(([item, { decision, level }]) => (outlines[item] ?? []).map(({ hole, cluster, geometry }) => ({
     type: 'Feature',
     properties: { hole, cluster, decision, level_m: decision === 'water' ? levelOf(level) ?? null : null },
     geometry })));
   const features = [...earlier, ...made].map((feature) => JSON.stringify(feature));
-  const head = crs ? `"crs": ${JSON.stringify(crs)},\n` : '';
+  const head = (crs ? `"crs": ${JSON.stringify(crs)},\n` : '') + (scene ? `"tilemend_scene": ${JSON.stringify(scene)},\n` : '');
   return `{"type": "FeatureCollection",\n${head}"features": [\n${features.join(',\n')}\n]}\n`;
 }
 
@@ -138,12 +138,38 @@ function rimText({ sigma_m: sigma }: ReviewItem, level: number | null): string {
 // Not of a river, which falls, nor of ground, whose rim is uneven or too short to tell.
 const hasLevelRim = ({ taken_for: verdict }: ReviewItem): boolean => verdict === 'lake' || verdict === 'level ground';
 
+// The row of a hole that is not in the queue, with all others that are decided on with it: those of its cluster.
+function itemOf(hole: Hole, holes: Hole[]): ReviewItem {
+  const cluster = hole.cluster ?? -1;
+  const members = cluster < 0 ? [hole] : holes.filter((h) => h.filled && h.cluster === cluster);
+  const largest = members.reduce((most, h) => ((h.area ?? 0) > (most.area ?? 0) ? h : most), hole);
+  const sum = (of: (h: Hole) => number | null) => members.reduce((all, h) => all + (of(h) ?? 0), 0);
+  const level = typeof largest.level === 'number' ? { level_m: largest.level } : {};
+  return { hole: largest.id, holes: members.map((h) => h.id), cell: largest.cell, area_m2: sum((h) => h.area), taken_for: largest.method,
+    ...level, reason: largest.reason, doubt_m: null, doubt_m3: null, crossings: sum((h) => h.crossings) };
+}
+
+// The columns of the queue, but for the last one, which has the decision.
+interface Column { title: string; isNumber: boolean; class?: string; text: (row: { item: ReviewItem; rank: string; absolute: number | null; why: string }) => string }
+const COLUMNS: Column[] = [
+  { title: '', isNumber: true, text: ({ rank }) => rank },
+  { title: 'hole', isNumber: true, text: ({ item }) => holesText(item) },
+  { title: 'cell', isNumber: false, text: ({ item }) => (item.cell ?? []).join(', ') },
+  { title: 'area [m\u00b2]', isNumber: true, text: ({ item }) => areaText(item.area_m2) },
+  { title: 'taken for', isNumber: false, text: ({ item }) => item.taken_for },
+  { title: 'level of the rim \u00b1 sigma [m]', isNumber: true, text: ({ item, absolute }) => rimText(item, absolute) },
+  { title: 'doubt [m]', isNumber: true, text: ({ item }) => number(item.doubt_m, 3) },
+  { title: 'doubt [m\u00b3]', isNumber: true, text: ({ item }) => number(item.doubt_m3, 1) },
+  { title: 'crossings', isNumber: true, text: ({ item }) => (item.crossings ? number(item.crossings) : '') },
+  { title: 'because', isNumber: false, class: 'because', text: ({ item, why }) => [item.reason, why].filter(Boolean).join('; ') },
+];
+
 class Row {
   readonly element: HTMLTableRowElement;
   private readonly choice: HTMLSelectElement;
   private readonly level: HTMLInputElement;
 
-  constructor(private readonly item: ReviewItem, rank: number, why: string, private readonly absolute: number | null,
+  constructor(readonly item: ReviewItem, rank: string, why: string, private readonly absolute: number | null, columns: Column[],
     private readonly marks: Marks, changed: () => void) {
     const name = `hole ${holesText(item)}`;
     this.hole = item.hole;
@@ -153,11 +179,8 @@ class Row {
     this.level = el('input', { type: 'text', inputmode: 'decimal', class: 'level', placeholder: 'as its shore',
       title: `${hasLevelRim(item) ? '' : 'The rim is not known to be level. '}A height of the scene\u2019s CRS in metres. Without one the water gets the level of its shore.`,
       'aria-label': `level of ${name} [m]`, input: () => { this.store('water'); changed(); } });
-    const text = (...parts: string[]) => parts.filter(Boolean).join('; ');
-    const cells = [String(rank), holesText(item), (item.cell ?? []).join(', '), areaText(item.area_m2), item.taken_for,
-      rimText(item, absolute), number(item.doubt_m, 3), number(item.doubt_m3, 1), text(item.reason, why)];
-    this.element = el('tr', { tabindex: '0', 'aria-label': `${rank}, ${name}`, 'data-hole': String(item.hole) },
-      ...cells.map((cell, i) => el('td', { class: [0, 1, 3, 5, 6, 7].includes(i) ? 'number' : '' }, cell)),
+    this.element = el('tr', { tabindex: '0', 'aria-label': [rank, name].filter(Boolean).join(', '), 'data-hole': String(item.hole) },
+      ...columns.map((column) => el('td', { class: column.class ?? (column.isNumber ? 'number' : '') }, column.text({ item, rank, absolute, why }))),
       el('td', {}, el('div', { class: 'decide' }, this.choice, this.level)));
     this.show();
   }
@@ -190,12 +213,28 @@ class Row {
   }
 }
 
-// The marks are those of this scene, date and folder. `command` makes use of the file, and `hint` says how.
-export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 'out'>, review: Review, command: string | null = null, hint = ''): HTMLElement {
+export interface ReviewQueue {
+  element: HTMLElement;
+  decide: (hole: Hole) => void; // focuses its row, which a hole that is not in the queue gets
+}
+
+// The marks are those of this scene, date and folder. `holes`: those of the table, each of which can be decided on.
+// `command` makes use of the file, and `hint` says how.
+export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 'out'>, review: Review, holes: Hole[],
+  command: string | null = null, hint = ''): ReviewQueue {
   const marks = new Marks(['tilemend decisions', report.scene ?? '', report.date ?? '', ...(report.out ? [report.out] : [])].join(' '));
   const reasons = new Map((report.look_at ?? []).map((look: LookAt) => [look.hole, look.why ?? '']));
-  const rows = review.items.map((item, i) => new Row(item, i + 1, reasons.get(item.hole) ?? '',
-    item.level_m === undefined || review.z === null ? null : item.level_m + review.z, marks, () => tell()));
+  const hasCrossings = [...review.items, ...holes].some(({ crossings }) => crossings);
+  const columns = COLUMNS.filter(({ title }) => title !== 'crossings' || hasCrossings);
+  const rowOf = new Map<number, Row>(); // by each hole of a row
+  const makeRow = (item: ReviewItem, rank: string): Row => {
+    const absolute = item.level_m === undefined || review.z === null ? null : item.level_m + review.z;
+    const row = new Row(item, rank, reasons.get(item.hole) ?? '', absolute, columns, marks, () => tell());
+    for (const hole of item.holes) rowOf.set(hole, row);
+    return row;
+  };
+  const rows = review.items.map((item, i) => makeRow(item, String(i + 1))), added: Row[] = []; // of holes in no doubt
+  const allRows = (): Row[] => [...rows, ...added];
   const body = el('tbody', {}), status = el('span', { class: 'quiet', role: 'status' });
   const undone = new Set<Earlier>(), earlierBox = el('div', {});
   let unpacked: Promise<Earlier[]> | null = null;
@@ -203,19 +242,38 @@ export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 
   let shown = STEP;
   const more = el('button', { type: 'button', click: () => { shown += 10 * STEP; fill(); } }, 'show more');
   const download = el('button', { type: 'button', class: 'download', click: () => void write() }, 'Download decisions');
-  const forget = el('button', { type: 'button', click: () => { marks.clear(); rows.forEach((row) => row.show()); tell(); } },
+  const forget = el('button', { type: 'button', click: () => { marks.clear(); allRows().forEach((row) => row.show()); tell(); } },
     'Forget decisions');
 
   function fill(): void {
-    body.replaceChildren(...rows.slice(0, shown).map((row) => row.element));
+    body.replaceChildren(...[...rows.slice(0, shown), ...added].map((row) => row.element));
     more.hidden = rows.length <= shown;
+    box.hidden = rows.length + added.length === 0;
+  }
+
+  function add(hole: Hole): Row {
+    const item = itemOf(hole, holes.filter((h) => !rowOf.has(h.id)));
+    const row = makeRow(item, '');
+    added.push(row);
+    fill();
+    return row;
+  }
+
+  // Rows of holes that were marked before, or in another tab.
+  function addMarked(): void {
+    for (const [id] of marks.entries()) {
+      const hole = rowOf.has(id) ? undefined : holes.find((h) => h.id === id);
+      if (hole) add(hole);
+    }
   }
 
   function tell(): void {
-    const bad = rows.find((row) => !row.isGood);
+    const bad = allRows().find((row) => !row.isGood);
+    const more = added.filter((row) => marks.get(row.hole)).length, decided = rows.filter((row) => marks.get(row.hole)).length;
     const all = review.count > review.items.length ? ` (of ${number(review.count)} in doubt the ${number(review.items.length)} first)` : '';
-    status.textContent = rows.length === 0 ? '' : bad ? `The level of hole ${bad.hole} is no number.`
-      : `${number(marks.size)} of ${counted(rows.length, 'fill')}${all} decided${marks.keeps ? '' : '; this browser does not keep decisions'}`;
+    const ofQueue = rows.length > 0 ? `${number(decided)} of ${counted(rows.length, 'fill')}${all} decided` : '';
+    const ofOthers = more > 0 ? `${counted(more, 'other fill')} decided` : '';
+    status.textContent = bad ? `The level of hole ${bad.hole} is no number.` : [ofQueue, ofOthers, marks.keeps ? '' : 'this browser does not keep decisions'].filter(Boolean).join('; ');
     if (undone.size > 0 && !bad) status.textContent += `${status.textContent ? '; ' : ''}${counted(undone.size, 'earlier decision')} undone`;
     download.disabled = (marks.size === 0 && undone.size === 0) || bad !== undefined;
     forget.disabled = marks.size === 0;
@@ -223,7 +281,12 @@ export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 
 
   async function write(): Promise<void> {
     const outlines = await unpack(review.outlines) as Outlines, earlier = (await readEarlier()).filter((feature) => !undone.has(feature));
-    save(decisionsGeoJson(earlier, marks.entries(), outlines, review.crs), 'decisions.geojson');
+    const others = added.length > 0 ? await unpack(review.others) as Record<string, Outline> : {};
+    for (const { item } of added) {
+      const known = item.holes.flatMap((hole) => others[hole] ?? []);
+      if (known.length > 0) outlines[item.hole] = known;
+    }
+    save(decisionsGeoJson(earlier, marks.entries(), outlines, review.crs, review.scene), 'decisions.geojson');
     const without = marks.entries().filter(([hole]) => !outlines[hole]).map(([hole]) => hole);
     if (without.length > 0) status.textContent = `Not in the file, as they have no outline: holes ${without.join(', ')}`;
   }
@@ -231,7 +294,7 @@ export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 
   // Keys on a row: arrows go up and down, letters decide.
   body.addEventListener('keydown', (event) => {
     const target = event.target as HTMLElement, element = target.closest('tr');
-    const row = rows.find((r) => r.element === element);
+    const row = allRows().find((r) => r.element === element);
     if (!row || !element) return;
     if (target !== element) {
       if (event.key === 'Enter' || event.key === 'Escape') element.focus();
@@ -246,20 +309,31 @@ export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 
     }
     if (step || decision !== undefined) event.preventDefault();
   });
+  const heading = ({ title, isNumber, class: kind }: Omit<Column, 'text'>) => el('th', { scope: 'col', class: kind ?? (isNumber ? 'number' : '') }, title);
+  const box = el('div', { class: 'scroll' }, el('table', { class: 'queue' }, el('thead', {}, el('tr', {},
+    ...columns.map(heading), heading({ title: 'decision', isNumber: false }))), body));
   fill();
+  addMarked();
   tell();
-  const headings = ['', 'hole', 'cell', 'area [m\u00b2]', 'taken for', 'level of the rim \u00b1 sigma [m]', 'doubt [m]', 'doubt [m\u00b3]', 'because', 'decision'];
   const queue = el('div', { class: 'review' },
     el('p', { class: 'quiet' }, (rows.length === 0 ? 'No fill waits for a decision. ' : 'Fills by their doubt: the error of height that is to be expected, times the area. '),
       ...(rows.length === 0 ? [] : [el('span', { class: 'keys' }, 'In a row: \u2191 \u2193 to move, A accept, W water, G ground, O leave open, X not decided. '), 'Levels are heights of the scene\u2019s CRS. ' +
       '\u201cRedo as water\u201d takes the level that is typed, or that of the shore if none is; that of a level rim is there already. ']),
-      'The file has the decisions of earlier rounds as well. This makes the fills anew that are to be redone' +
+      '\u201cDecide\u201d in the table of holes adds any other fill. The file has the decisions of earlier rounds as well. This makes the fills anew that are to be redone' +
       (command ? ':' : ': tilemend run with --decisions FILE and the same scene, folder and options.')),
     ...(command ? [copyable(command)] : []), ...(command && hint ? [el('p', { class: 'quiet' }, hint)] : []),
     el('div', { class: 'filters' }, download, forget, status),
-    el('div', rows.length === 0 ? { class: 'scroll', hidden: '' } : { class: 'scroll' }, el('table', { class: 'queue' }, el('thead', {}, el('tr', {},
-      ...headings.map((text, i) => el('th', { scope: 'col', class: [0, 1, 3, 5, 6, 7].includes(i) ? 'number' : '' }, text)))), body)), more, earlierBox);
+    box, more, earlierBox);
   if (review.decided) void readEarlier().then((earlier) => { earlierBox.replaceChildren(earlierTable(groupsOf(earlier), undone, tell)); });
-  marks.listen(queue, () => { rows.forEach((row) => row.show()); tell(); });
-  return queue;
+  marks.listen(queue, () => { addMarked(); allRows().forEach((row) => row.show()); tell(); });
+  const decide = (hole: Hole) => {
+    const row = rowOf.get(hole.id) ?? add(hole);
+    if (!row.element.isConnected) { // below those that are shown
+      shown = rows.length;
+      fill();
+    }
+    row.element.scrollIntoView({ block: 'center' });
+    row.element.focus();
+  };
+  return { element: queue, decide };
 }

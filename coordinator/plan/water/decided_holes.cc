@@ -38,7 +38,7 @@ std::vector<CoveredGroup> CoveredGroups(const AreaIndex& index, const Plan& plan
 // Leaves areas out of groups that they are not about.
 void DropOthers(const std::vector<WaterArea>& areas, const AreaIndex& index, std::vector<CoveredGroup>& groups) {
   struct Most {
-    double share = kDecidingShare;  // of the area
+    double fit = 0;  // share of the area times share of the group
     const CoveredGroup* group = nullptr;
   };
   std::vector<Most> most(areas.size());
@@ -48,7 +48,8 @@ void DropOthers(const std::vector<WaterArea>& areas, const AreaIndex& index, std
       if (index.cancelled()) return;
       if (!lines.contains(s.area)) lines.emplace(s.area, SegmentsOf(areas[s.area]));
       const double share = lines.at(s.area).ShareIn(group.boundary);
-      if (share > most[s.area].share) most[s.area] = {share, &group};
+      const double fit = share * s.share;
+      if (share > kDecidingShare && fit > most[s.area].fit) most[s.area] = {fit, &group};
     }
   }
   for (CoveredGroup& group : groups) {

@@ -10,7 +10,8 @@ namespace tilemend {
 
 // Sets Plan::decisions, by WaterAreas with a decision. The last one that covers more than half of a cluster of open
 // holes, or of a closed hole, decides on it; where none does, those that say the same may together (FindDecidingArea).
-// An area of which more than half lies in one of them is about that one alone: not about holes above or below it.
+// An area of which more than half lies in one of them is about that one alone: not about holes above or below it. Of
+// several such it is about the one that it fits best: a hole in a roof, not the street below.
 // Holes whose decision is kOpen get the failure kLeftByDecision, unless they have one. To be called when clusters are
 // known and before water is found. Once cancelled it ends soon. Cost as AreaIndex for each group, twice.
 void DecideHoles(const std::vector<WaterArea>& areas, Plan& plan, const std::function<bool()>& is_cancelled = {});

@@ -29,16 +29,19 @@ constexpr char kMostlyOpen[] =
 constexpr char kMaybeSurface[] = ". If the water is there as surface, add \"clear\": true";
 constexpr char kOutside[] = "it lies outside the scene; are its coordinates those of this scene?";
 constexpr char kTakenOut[] = "; surface was taken out under it all the same";
-constexpr double kCovers = 0.9;  // share of what is made water by it that lies under an area
+constexpr double kCovers = 0.9;   // share of what an area decides on that lies under it
+constexpr double kNoticed = 0.1;  // share of a hole: a decision that covers less was drawn there by accident
+constexpr size_t kMostHolesNamed = 5;
 
 // Holes that are one body if they are water: a cluster, or a closed hole.
 struct Body {
   std::vector<int32_t> holes;
   std::vector<PlaneSegment> boundary;
   double area = 0;          // m2
-  int32_t decided_by = -1;  // FindDecidingArea
+  int32_t decided_by = -1;  // FindDecidingArea; a decision of Plan::decisions before all others
   bool together = false;    // with others that say the same,
   double share = 0;         // which cover so much of it
+  int32_t decision = -1;    // that of Plan::decisions, also one that accepts
 };
 
 std::vector<Body> BodiesOf(const Plan& plan) {
@@ -61,6 +64,21 @@ std::string Place(const Point2& at) {
   text += Number(at.y());
   text += ')';
   return text;
+}
+
+// "the hole at (3, 4), which is filled as one", or "holes 0, 2 and 3 more, which are decided on together".
+std::string NameOf(const Plan& plan, const Body& body) {
+  if (body.holes.size() == 1) {
+    return "the hole at " + Place(plan.holes[body.holes.front()].centre) + ", which is filled as one";
+  }
+  const size_t named = std::min(body.holes.size(), kMostHolesNamed);
+  std::string text = "holes ";
+  for (size_t i = 0; i < named; ++i) {
+    const char* const before = i == 0 ? "" : i + 1 == body.holes.size() ? " and " : ", ";
+    text += before + std::to_string(body.holes[i]);
+  }
+  if (named < body.holes.size()) text += " and " + std::to_string(body.holes.size() - named) + " more";
+  return text + ", which are decided on together";
 }
 
 std::string Decimals(double value) {
@@ -103,6 +121,40 @@ double LengthInside(const WaterArea& area) {
   return length;
 }
 
+// Why a decision is not on a body, as DecideHoles took it; "" if it is.
+std::string WhyNoDecision(const Plan& plan, const std::vector<WaterArea>& areas, int32_t a, const Body& body,
+                          double share) {
+  const WaterArea& area = areas[a];
+  if (body.decision == a || (body.decision >= 0 && SayTheSame(area, areas[body.decision])))
+    return area.water ? WhyNoWater(plan, body) : "";
+  if (share > kDecidingShare && body.decision >= 0)
+    return "another after it decides on the same hole: " + areas[body.decision].label;
+  if (share > kDecidingShare) {
+    return "it does not decide on the hole at " + Place(plan.holes[body.holes.front()].centre) +
+           ", as most of it lies in another; draw one over that hole alone";
+  }
+  return "it covers " + Number(100 * share) + " % of " + NameOf(plan, body) + "; to decide on " +
+         (body.holes.size() > 1 ? "them, draw it over more than half of their area, or give each of them the same "
+                                  "decision"
+                                : "it, draw it over more than half");
+}
+
+// Whether a decision is about this body alone (DecideHoles).
+bool MostLiesIn(const WaterArea& area, const Body& body) {
+  return CoverLines(SegmentsOf(area)).ShareIn(body.boundary) > kDecidingShare;
+}
+
+void AddDoubt(const std::string& more, WaterAnswer& answer) {
+  if (!more.empty()) answer.doubt += (answer.doubt.empty() ? "" : "; ") + more;
+}
+
+// A hole is water as a whole: it may reach from a lake over a tile that is missing into a river.
+std::string DoubtOfExtent(ReviewDecision decision, double taken, double under) {
+  const bool is_water = decision == ReviewDecision::kNone || decision == ReviewDecision::kWater;
+  return (is_water ? "it makes " + Number(taken) + " m2 water" : "it decides on " + Number(taken) + " m2") + ", and " +
+         Number(taken - under) + " m2 of that lie outside it, as the hole goes on there";
+}
+
 class Answers {
  public:
   Answers(const std::vector<WaterArea>& areas, const std::optional<PlaneBounds>& scene, Plan& plan,
@@ -114,9 +166,7 @@ class Answers {
       const CoverLines region(body.boundary);
       std::vector<AreaShare> shares = index_.SharesOf(region, [](const WaterArea&) { return true; });
       for (const auto& [a, share] : shares) shares_[a].emplace_back(b, share);
-      // Who accepts what was filled leaves it to the areas before.
-      std::erase_if(shares, [&](const AreaShare& s) { return areas[s.area].decision == ReviewDecision::kAccept; });
-      const auto deciding = index_.DeciderOf(region, shares);
+      const auto deciding = DeciderOf(region, std::move(shares), body);
       if (!deciding) continue;
       body.decided_by = static_cast<int32_t>(deciding->area);
       body.together = deciding->together;
@@ -133,6 +183,8 @@ class Answers {
       answer.decision = areas_[a].decision;
       if (areas_[a].clear) answer.clear_height = areas_[a].clear_height;
       double most = -1, taken = 0, under = 0;  // m2
+      const Body* best = nullptr;
+      std::vector<std::string> others;  // why a decision is not on a body that it covers less of
       for (const auto& [b, share] : shares_[a]) {
         std::string reason = WhyNot(static_cast<int32_t>(a), bodies_[b], share);
         const double covered = share * bodies_[b].area;
@@ -140,30 +192,58 @@ class Answers {
           answer.holes.insert(answer.holes.end(), bodies_[b].holes.begin(), bodies_[b].holes.end());
           const Body& body = bodies_[b];
           const bool decides = body.decided_by == static_cast<int32_t>(a);
-          taken += body.together && !decides ? covered : body.area;
+          taken += decides ? body.area : covered;
           under += body.together && decides ? body.share * body.area : covered;
         }
-        if (covered <= most) continue;
-        answer.reason = std::move(reason);
-        most = covered;
+        const bool is_decision = answer.decision != ReviewDecision::kNone;
+        if (const double fit = is_decision ? covered * share : covered; fit > most) {
+          std::swap(answer.reason, reason);
+          most = fit;
+          best = &bodies_[b];
+        }
+        if (is_decision && share >= kNoticed && !reason.empty()) others.push_back(std::move(reason));
       }
       answer.taken = !answer.holes.empty();
+      const bool is_about_one = answer.reason.empty() && !others.empty() && MostLiesIn(areas_[a], *best);
+      for (const std::string& other : others) AddDoubt(is_about_one ? "" : other, answer);
       answer.is_over_hole = !shares_[a].empty();
       if (!answer.taken) CompleteReason(a, answer);
-      if (answer.taken && answer.water) {
-        answer.doubt = areas_[a].level ? DoubtOfLevel(areas_[a], answer) : DoubtOfShore(answer);
-        if (areas_[a].is_mostly_open) AddDoubt(kMostlyOpen, answer);
-      }
-      if (!answer.water && areas_[a].level)
-        AddDoubt("its level_m has no effect where it says that there is no water", answer);
-      if (answer.taken && answer.water) AddDoubt(DoubtOfKind(areas_[a], answer), answer);
-      if (answer.taken && areas_[a].centreline.size() > 1) AddDoubt(DoubtOfCentreline(a, answer), answer);
-      if (answer.water && under < kCovers * taken) AddDoubt(DoubtOfExtent(taken, under), answer);
+      AddDoubts(a, taken, under, answer);
       plan_.water_answers.push_back(std::move(answer));
     }
   }
 
  private:
+  // `taken`: m2 of the bodies that are filled as it says; `under`: what of them lies under the area.
+  void AddDoubts(size_t a, double taken, double under, WaterAnswer& answer) const {
+    if (answer.taken && answer.water) {
+      AddDoubt(areas_[a].level ? DoubtOfLevel(areas_[a], answer) : DoubtOfShore(answer), answer);
+      if (areas_[a].is_mostly_open) AddDoubt(kMostlyOpen, answer);
+    }
+    if (!answer.water && areas_[a].level)
+      AddDoubt("its level_m has no effect where it says that there is no water", answer);
+    if (answer.taken && answer.water) AddDoubt(DoubtOfKind(areas_[a], answer), answer);
+    if (answer.taken && areas_[a].centreline.size() > 1) AddDoubt(DoubtOfCentreline(a, answer), answer);
+    const bool is_decision = answer.decision != ReviewDecision::kNone;
+    if ((answer.water || is_decision) && under < kCovers * taken)
+      AddDoubt(DoubtOfExtent(answer.decision, taken, under), answer);
+  }
+
+  // Who decides on a body of which areas cover `shares`; sets its decision. Who accepts what was filled leaves it to
+  // the areas of --water.
+  std::optional<DecidingArea> DeciderOf(const CoverLines& region, std::vector<AreaShare> shares, Body& body) const {
+    const auto decided = plan_.decisions.find(body.holes.front());
+    if (decided != plan_.decisions.end()) body.decision = decided->second;
+    if (body.decision >= 0 && areas_[body.decision].decision != ReviewDecision::kAccept) {
+      std::erase_if(shares, [&](const AreaShare& s) { return !SayTheSame(areas_[s.area], areas_[body.decision]); });
+      const auto own = std::ranges::find(shares, static_cast<size_t>(body.decision), &AreaShare::area);
+      if (own != shares.end() && own->share > kDecidingShare) return DecidingArea{own->area, own->share, false};
+    } else {
+      std::erase_if(shares, [&](const AreaShare& s) { return areas_[s.area].decision != ReviewDecision::kNone; });
+    }
+    return index_.DeciderOf(region, shares);
+  }
+
   // Of an area that is not taken.
   void CompleteReason(size_t a, WaterAnswer& answer) const {
     const WaterArea& area = areas_[a];
@@ -179,16 +259,6 @@ class Answers {
     return std::ranges::none_of(shares_[a], [&](const auto& share) {
       return plan_.holes[bodies_[share.first].holes.front()].kind != HoleKind::kClosed;
     });
-  }
-
-  static void AddDoubt(const std::string& more, WaterAnswer& answer) {
-    if (!more.empty()) answer.doubt += (answer.doubt.empty() ? "" : "; ") + more;
-  }
-
-  // A hole is water as a whole: it may reach from a lake over a tile that is missing into a river.
-  static std::string DoubtOfExtent(double taken, double under) {
-    return "it makes " + Number(taken) + " m2 water, and " + Number(taken - under) +
-           " m2 of that lie outside it, as the hole goes on there";
   }
 
   std::string DoubtOfLevel(const WaterArea& area, const WaterAnswer& answer) const {
@@ -280,6 +350,7 @@ class Answers {
 
   // Why area `a` does not decide on a body; "" if it does.
   std::string WhyNot(int32_t a, const Body& body, double share) const {
+    if (areas_[a].decision != ReviewDecision::kNone) return WhyNoDecision(plan_, areas_, a, body, share);
     const Point2 at = plan_.holes[body.holes.front()].centre;
     const bool is_one_of_them = body.together && SayTheSame(areas_[a], areas_[body.decided_by]);
     if (is_one_of_them) return areas_[a].water ? WhyNoWater(plan_, body) : "";
@@ -287,7 +358,6 @@ class Answers {
       return "it covers " + Number(100 * share) + " % of the hole at " + Place(at) +
              ", which is filled as one; to decide on it, draw it over more than half";
     }
-    if (areas_[a].decision == ReviewDecision::kAccept) return "";
     if (body.decided_by != a) return "another after it decides on the same hole: " + areas_[body.decided_by].label;
     return areas_[a].water ? WhyNoWater(plan_, body) : "";
   }

@@ -51,6 +51,17 @@ TEST(PageHolesTest, RanksThemByTheirDoubtBeforeTheirArea) {
   EXPECT_TRUE(holes[2]["doubt"].is_null());
 }
 
+TEST(PageHolesTest, HaveTheirCrossingsAndTheirCluster) {
+  const Json report = Json::parse(R"({"per_hole": [
+      {"id": 0, "area_m2": 9, "outcome": "filled", "cluster": 4, "crossings": 3},
+      {"id": 1, "area_m2": 5, "outcome": "filled"}]})");
+  const Json holes = PageHoles(report, 10);
+  EXPECT_EQ(holes[0]["crossings"], 3);
+  EXPECT_EQ(holes[0]["cluster"], 4);
+  EXPECT_TRUE(holes[1]["crossings"].is_null());
+  EXPECT_TRUE(holes[1]["cluster"].is_null());
+}
+
 TEST(PageHolesTest, OfWhatIsNoReportThereIsNone) {
   EXPECT_EQ(PageHoles(Json(), 10), Json::array());
   EXPECT_EQ(PageHoles(Json{{"per_hole", 3}}, 10), Json::array());

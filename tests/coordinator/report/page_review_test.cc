@@ -64,6 +64,29 @@ TEST(PageReviewTest, AnItemHasThePolygonsOfAllItsHoles) {
   EXPECT_TRUE(outlines["7"].is_null()) << "a boundary that is not closed has no polygon";
 }
 
+TEST(PageReviewTest, OtherHolesWithAFillHaveTheirPolygons) {
+  Json report = Json::parse(kReview);
+  report["per_hole"] = Json::parse(R"([{"id": 4, "outcome": "filled"}, {"id": 5, "outcome": "filled"},
+                                       {"id": 7, "outcome": "filled"}, {"id": 8, "outcome": "left"}])");
+  Json holes = Json::parse(Holes());
+  holes["tilemend_scene"] = {{"name", "city"}};
+  holes["features"].push_back(holes["features"][0]);
+  holes["features"].back()["properties"]["hole"] = 8;
+  const auto review = PageReview(report, holes.dump(), nullptr);
+  ASSERT_TRUE(review.ok()) << review.status();
+  const Json others = Json::parse(Unzipped((*review)["others"]));
+  ASSERT_EQ(others.size(), 1U) << others;
+  EXPECT_EQ(others["5"]["cluster"], 6);
+  EXPECT_EQ(others["5"]["geometry"]["type"], "Polygon");
+  EXPECT_EQ((*review)["scene"], Json({{"name", "city"}}));
+}
+
+TEST(FillsToDecideOnTest, CountsTheRowsOfTheQueue) {
+  EXPECT_EQ(FillsToDecideOn(Json::parse(kReview)), 2U);
+  EXPECT_EQ(FillsToDecideOn(Json::parse(R"({"review": 7})")), 0U);
+  EXPECT_EQ(FillsToDecideOn(Json()), 0U);
+}
+
 // Else the next run would undo them.
 TEST(PageReviewTest, EarlierDecisionsAreKeptAsTheyWereMade) {
   const auto decided = [](const std::string& properties, const std::string& geometry) {

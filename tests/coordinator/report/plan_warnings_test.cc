@@ -33,6 +33,21 @@ TEST(PlanWarningsTest, ADecisionIsNoPolygonForAReader) {
                                               "decision on hole 4 is not taken: no hole lies under it"));
 }
 
+// A reviewer made each of them.
+TEST(PlanWarningsTest, EachDecisionWithoutEffectIsNamed) {
+  Plan plan;
+  plan.water_answers.assign(25, {"decision", false, false, {}, "no hole lies under it"});
+  for (WaterAnswer& answer : plan.water_answers) answer.decision = ReviewDecision::kOpen;
+  plan.water_answers[7].doubt = "it covers 16 % of holes 3 and 4";
+  const auto warnings = PlanWarnings(plan);
+  ASSERT_THAT(warnings, SizeIs(26));
+  EXPECT_EQ(warnings[24], "decision is not taken: no hole lies under it");
+  EXPECT_EQ(warnings[25], "decision: it covers 16 % of holes 3 and 4");
+  plan.water_answers.assign(120, plan.water_answers[0]);
+  ASSERT_THAT(PlanWarnings(plan), SizeIs(101));
+  EXPECT_THAT(PlanWarnings(plan).back(), HasSubstr("120 decisions are not taken; the report lists all"));
+}
+
 TEST(CheckDecisionsTest, RefusesDecisionsOfWhichNoneLiesOverAHole) {
   Plan plan;
   EXPECT_TRUE(CheckDecisions(plan).ok());

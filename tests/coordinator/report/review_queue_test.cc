@@ -81,6 +81,15 @@ TEST_F(ReviewQueueTest, HolesOfOneClusterAreOneRow) {
   EXPECT_EQ(rows[0]["doubt_m3"], 80);
 }
 
+TEST_F(ReviewQueueTest, ARowCountsTheCrossingsOfItsHoles) {
+  Add(Verdict::kLake, 0.2, 100, 100);
+  plan_.holes.push_back(plan_.holes[0]);
+  EXPECT_FALSE(ReviewJson(input_)[0].contains("crossings"));
+  input_.outcome.sizes[0].crossings = 3;
+  input_.outcome.sizes[1].crossings = 4;
+  EXPECT_EQ(ReviewJson(input_)[0]["crossings"], 7);
+}
+
 TEST_F(ReviewQueueTest, WhatTheUserDecidedIsNotInDoubt) {
   Add(Verdict::kLake, 0.2, 100, 100).area = 0;
   Add(Verdict::kLake, 0.2, 100, 100);

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "common/gis/area_file.h"
+#include "coordinator/report/scene_member.h"
 #include "tests/support/temporary_folder.h"
 
 namespace tilemend {
@@ -277,6 +278,12 @@ TEST_F(SceneGeoJsonTest, AnAreaIsReadBack) {
   const auto local = ParseAreaFile({AreaGeoJson(area, scene_)}, "area.geojson", FrameOf(scene_));
   ASSERT_TRUE(local.ok()) << local.status();
   EXPECT_EQ(local->area.rings, area.rings);
+}
+
+TEST_F(SceneGeoJsonTest, SaysWhichSceneItIsOf) {
+  scene_.root = "/data/city";
+  const auto holes = nlohmann::ordered_json::parse(HolesGeoJson(input_, scene_));
+  EXPECT_EQ(holes[kSceneMember], SceneMemberOf(scene_));
 }
 
 TEST_F(SceneGeoJsonTest, WithoutHolesItIsAnEmptyCollection) {

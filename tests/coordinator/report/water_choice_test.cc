@@ -66,6 +66,17 @@ TEST(WaterChoiceTest, DecisionsComeLastAndCountByTheirContent) {
   EXPECT_TRUE(absl::IsNotFound(missing)) << missing;
 }
 
+TEST(WaterChoiceTest, DecisionsOnAnotherSceneAreRefusedBeforeTheirCoordinates) {
+  const TemporaryFolder folder;
+  const std::string file = folder.Write("d.geojson", R"({"type": "FeatureCollection",
+      "tilemend_scene": {"name": "harbour", "crs": "", "grid_corner": [0, 0], "cell_size": [0, 0]}, "features": 3})");
+  Scene scene;
+  scene.root = "/data/city";
+  WaterChoice choice;
+  EXPECT_THAT(std::string(AddDecisions(file, scene, choice).message()),
+              HasSubstr("its decisions are on scene 'harbour'"));
+}
+
 TEST(WaterChoiceTest, ALevelFarFromAllSurfaceIsRefused) {
   SurveyRecord low, high, empty;
   low.lo = {0, 0, 80}, low.hi = {1, 1, 90};

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,13 @@ class DecideHolesTest : public ::testing::Test {
       decisions.push_back(found == plan_.decisions.end() ? -1 : found->second);
     }
     return decisions;
+  }
+  std::vector<WaterAnswer> Answer(const std::vector<WaterArea>& areas) {
+    WaterOptions options;
+    options.areas = areas;
+    Decide(areas);
+    AnswerWaterAreas(options, plan_);
+    return plan_.water_answers;
   }
 
   Plan plan_;
@@ -127,7 +135,7 @@ TEST_F(DecideHolesTest, AreasOfWaterAreNoDecisions) {
 TEST_F(DecideHolesTest, ADecisionThatMatchesNoHoleIsAnswered) {
   WaterOptions options;
   options.areas = {Decision(ReviewDecision::kAccept, 49, 61), Decision(ReviewDecision::kAccept, 200, 210),
-                   Decision(ReviewDecision::kOpen, 0, 9), Decision(ReviewDecision::kOpen, 0, 20)};
+                   Decision(ReviewDecision::kGround, 0, 9), Decision(ReviewDecision::kOpen, 0, 20)};
   Decide(options.areas);
   AnswerWaterAreas(options, plan_);
   ASSERT_EQ(plan_.water_answers.size(), 4U);
@@ -136,8 +144,61 @@ TEST_F(DecideHolesTest, ADecisionThatMatchesNoHoleIsAnswered) {
   EXPECT_FALSE(plan_.water_answers[1].taken);
   EXPECT_EQ(plan_.water_answers[1].reason, "no hole lies under it");
   EXPECT_FALSE(plan_.water_answers[2].taken);
-  EXPECT_NE(plan_.water_answers[2].reason.find("it covers 45 % of the hole"), std::string::npos);
+  EXPECT_EQ(plan_.water_answers[2].reason,
+            "it covers 45 % of holes 0 and 2, which are decided on together; to decide on them, draw it over more than "
+            "half of their area, or give each of them the same decision");
   EXPECT_TRUE(plan_.water_answers[3].taken);
+}
+
+TEST_F(DecideHolesTest, AnAnswerIsTakenOnlyWhereItDecides) {
+  AddHole(HoleKind::kClosed, BoxOf(2, 4), -1);  // in a roof above the lake
+  plan_.holes.back().area = 20;
+  const WaterAnswer answer = Answer({Decision(ReviewDecision::kOpen, 0, 9)})[0];
+  EXPECT_TRUE(plan_.decisions.empty());
+  EXPECT_FALSE(answer.taken);
+  EXPECT_NE(answer.reason.find("it covers 45 % of holes 0 and 2"), std::string::npos) << answer.reason;
+  EXPECT_EQ(answer.doubt,
+            "it does not decide on the hole at (0, 0), as most of it lies in another; draw one over that hole alone");
+}
+
+TEST_F(DecideHolesTest, ADecisionThatIsTakenIsSilentOnTheHolesAboveIt) {
+  AddHole(HoleKind::kClosed, BoxOf(2, 4), -1);
+  AddHole(HoleKind::kClosed, BoxOf(15, 30), -1);
+  plan_.holes[3].area = 20;
+  plan_.holes[4].area = 150;
+  for (const WaterAnswer& answer :
+       Answer({Decision(ReviewDecision::kOpen, 0, 20), Decision(ReviewDecision::kGround, 2, 4)})) {
+    EXPECT_TRUE(answer.taken) << answer.reason;
+    EXPECT_EQ(answer.doubt, "");
+  }
+}
+
+TEST_F(DecideHolesTest, ADecisionOnAHoleAndPartOfAClusterNamesThePart) {
+  WaterArea area = Decision(ReviewDecision::kOpen, 50, 60);
+  area.polygon.rings.push_back(BoxOf(11, 20));
+  area.polygon.rings.push_back(BoxOf(200, 210));  // so that most of it lies in no hole
+  const WaterAnswer answer = Answer({area})[0];
+  EXPECT_EQ(plan_.decisions, (std::map<int32_t, int32_t>{{1, 0}}));
+  EXPECT_EQ(answer.holes, std::vector<int32_t>{1});
+  EXPECT_EQ(answer.reason, "");
+  EXPECT_NE(answer.doubt.find("it covers 45 % of holes 0 and 2"), std::string::npos) << answer.doubt;
+}
+
+TEST_F(DecideHolesTest, ADecisionOnMostOfAClusterSaysHowMuchLiesOutside) {
+  const WaterAnswer open = Answer({Decision(ReviewDecision::kOpen, 0, 15)})[0];
+  EXPECT_TRUE(open.taken);
+  EXPECT_EQ(open.doubt, "it decides on 200 m2, and 50 m2 of that lie outside it, as the hole goes on there");
+}
+
+TEST_F(DecideHolesTest, DecisionsTogetherHaveNoDoubt) {
+  for (const ReviewDecision decision : {ReviewDecision::kOpen, ReviewDecision::kAccept}) {
+    for (const WaterAnswer& answer : Answer({Decision(decision, 0, 10), Decision(decision, 10, 20)})) {
+      EXPECT_TRUE(answer.taken) << answer.reason;
+      EXPECT_EQ(answer.doubt, "");
+    }
+    plan_.decisions.clear();
+    plan_.water_answers.clear();
+  }
 }
 
 // Who accepts a fill leaves it to the area that decided on it.

@@ -1,0 +1,75 @@
+#include "coordinator/report/scene_member.h"
+
+#include <cmath>
+#include <filesystem>
+#include <system_error>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "common/util/object_store.h"
+#include "common/util/text.h"
+#include "coordinator/report/json_access.h"
+
+namespace tilemend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kSamePlace = 0.001;  // metres: a corner may go through the arithmetic of another program
+
+std::string NameOf(const Scene& scene) {
+  std::filesystem::path folder = scene.root;
+  if (std::error_code error; !IsObjectPath(scene.root)) folder = std::filesystem::absolute(folder, error);
+  folder = folder.lexically_normal();
+  return Printable((folder.has_filename() ? folder : folder.parent_path()).filename().string());
+}
+
+bool AreNear(const Json& a, const Json& b) {
+  const auto is_pair = [](const Json& p) { return p.is_array() && p.size() == 2; };
+  if (!is_pair(a) || !is_pair(b)) return false;
+  return std::abs(Number(a[0]) - Number(b[0])) <= kSamePlace && std::abs(Number(a[1]) - Number(b[1])) <= kSamePlace;
+}
+
+bool AreSame(const Json& a, const Json& b) {
+  return Member(a, "name") == Member(b, "name") && Member(a, "crs") == Member(b, "crs") &&
+         AreNear(Member(a, "grid_corner"), Member(b, "grid_corner")) &&
+         AreNear(Member(a, "cell_size"), Member(b, "cell_size"));
+}
+
+std::string PairText(const Json& pair, const char* between) {
+  if (!pair.is_array() || pair.size() != 2) return "?";
+  return absl::StrFormat("%.10g%s%.10g", Number(pair[0]), between, Number(pair[1]));
+}
+
+// "'city' (EPSG:25832, cells of 80 x 80 m from 500000, 4100000)".
+std::string SceneText(const Json& scene) {
+  const std::string crs = Text(Member(scene, "crs"));
+  return Printable(absl::StrCat("'", Text(Member(scene, "name")), "' (", crs.empty() ? "no CRS" : crs, ", cells of ",
+                                PairText(Member(scene, "cell_size"), " x "), " m from ",
+                                PairText(Member(scene, "grid_corner"), ", "), ")"));
+}
+
+}  // namespace
+
+Json SceneMemberOf(const Scene& scene) {
+  const Point2 corner = scene.origin.head<2>() + scene.grid.corner;
+  return {{"name", NameOf(scene)},
+          {"crs", scene.crs},
+          {"grid_corner", {corner.x(), corner.y()}},
+          {"cell_size", {scene.grid.cell_size.x(), scene.grid.cell_size.y()}}};
+}
+
+absl::Status CheckSceneMember(const std::string& bytes, const std::string& file, const Scene& scene) {
+  const auto without_lists = [](int depth, Json::parse_event_t event, const Json&) {
+    return depth != 1 || event != Json::parse_event_t::array_start;
+  };
+  const Json json = Json::parse(bytes, without_lists, false);
+  const Json &other = Member(json, kSceneMember), own = SceneMemberOf(scene);
+  if (!other.is_object() || AreSame(other, own)) return absl::OkStatus();
+  return absl::InvalidArgumentError(
+      absl::StrCat(file, ": its decisions are on scene ", SceneText(other), ", not on ", SceneText(own),
+                   "; give the file of this scene, or, if only its name changed, take the member ", kSceneMember,
+                   " out of the file"));
+}
+
+}  // namespace tilemend
