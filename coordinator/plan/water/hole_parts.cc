@@ -215,6 +215,7 @@ double MedianOf(std::vector<std::pair<double, double>> heights_and_lengths) {
 // Square metres of upright wall between the rim and a level through its objects, and between the rim and the ground.
 struct Walls {
   double to_objects = 0, to_ground = 0;
+  double level = 0;  // of the objects
 };
 
 Walls WallsOf(const std::vector<RimPoint>& rim) {
@@ -224,11 +225,10 @@ Walls WallsOf(const std::vector<RimPoint>& rim) {
     if (p.on_object) objects.emplace_back(p.height, p.length);
     if (p.ground) ground.emplace_back(*p.ground, p.length);
   }
-  const double level_of_objects = MedianOf(std::move(objects));
   const double level_of_ground = MedianOf(std::move(ground));
-  Walls walls;
+  Walls walls{.level = MedianOf(std::move(objects))};
   for (const RimPoint& p : rim) {
-    walls.to_objects += p.length * std::abs(p.height - level_of_objects);
+    walls.to_objects += p.length * std::abs(p.height - walls.level);
     walls.to_ground += p.length * std::abs(p.height - p.ground.value_or(level_of_ground));
   }
   return walls;
@@ -236,7 +236,7 @@ Walls WallsOf(const std::vector<RimPoint>& rim) {
 
 }  // namespace
 
-std::vector<int32_t> VerticesShutOff(const Plan& plan, const std::vector<int32_t>& holes) {
+ShutOff VerticesShutOff(const Plan& plan, const std::vector<int32_t>& holes) {
   const Outline outline = OutlineOf(plan, holes);
   if (outline.on_objects.empty()) return {};
   const Parts parts(BoundaryOf(plan, holes), outline.on_objects);
@@ -249,12 +249,17 @@ std::vector<int32_t> VerticesShutOff(const Plan& plan, const std::vector<int32_t
     const std::optional<double> ground = vertex.on_object ? std::optional<double>(vertex.ground) : height;
     rims[part].push_back({v, at.length, height, ground, vertex.on_object});
   }
-  std::vector<int32_t> shut_off;
+  ShutOff shut_off;
   for (const auto& [part, rim] : rims) {
     const Walls walls = WallsOf(rim);
     if (walls.to_objects >= kFewerWalls * walls.to_ground) continue;
     for (const RimPoint& p : rim) {
-      if (p.on_object) shut_off.push_back(p.vertex);
+      const bool is_of_ground = p.ground && std::abs(p.height - *p.ground) < std::abs(p.height - walls.level);
+      if (is_of_ground) {
+        shut_off.below.emplace_back(p.vertex, static_cast<float>(walls.level));
+      } else {
+        shut_off.on_object.push_back(p.vertex);
+      }
     }
   }
   return shut_off;

@@ -49,16 +49,23 @@ void MarkHolesInGround(Plan& plan) {
 void MarkObjects(Plan& plan) {
   MarkHolesInGround(plan);
   std::vector<bool> counts(plan.vertices.size(), false);
+  std::vector<std::pair<int32_t, float>> below;
   for (const std::vector<int32_t>& holes : GroupHoles(plan)) {
     const std::vector<int32_t> rim = RimVerticesOf(plan, holes);
     if (std::ranges::all_of(rim, [&](int32_t v) { return plan.vertices[v].on_object; })) continue;
     for (const int32_t v : rim) counts[v] = true;
-    for (const int32_t v : VerticesShutOff(plan, holes)) counts[v] = false;
+    const ShutOff shut_off = VerticesShutOff(plan, holes);
+    for (const int32_t v : shut_off.on_object) counts[v] = false;
+    below.insert(below.end(), shut_off.below.begin(), shut_off.below.end());
   }
   for (size_t v = 0; v < counts.size(); ++v) {
     if (counts[v]) continue;
     plan.vertices[v].on_object = false;
     plan.vertices[v].ground.reset();
+  }
+  for (const auto& [v, height] : below) {
+    plan.vertices[v].on_object = true;
+    plan.vertices[v].ground = height;
   }
   LowerSizesAtObjects(plan);
 }

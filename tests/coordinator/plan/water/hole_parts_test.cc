@@ -61,34 +61,50 @@ int CountOfRoom(const Plan& plan) {
       std::ranges::count_if(plan.vertices, [](const PlanVertex& v) { return IsOfRoom(v.position); }));
 }
 
-TEST(VerticesShutOffTest, ThoseOfARoofBehindANarrowGapAre) {
-  const Plan plan = PlanOf({});
-  const std::vector<int32_t> shut_off = VerticesShutOff(plan, {0});
-  EXPECT_EQ(static_cast<int>(shut_off.size()), CountOfRoom(plan));
-  for (const int32_t v : shut_off) EXPECT_TRUE(IsOfRoom(plan.vertices[v].position)) << v;
+bool IsNothingShutOff(const Plan& plan) {
+  const ShutOff shut_off = VerticesShutOff(plan, {0});
+  return shut_off.on_object.empty() && shut_off.below.empty();
 }
 
-TEST(VerticesShutOffTest, ThroughAWideGapTheStreetGoesOn) {
-  EXPECT_TRUE(VerticesShutOff(PlanOf({.gap = 4}), {0}).empty());
+TEST(VerticesShutOffTest, ThoseOfARoofBehindANarrowGapAre) {
+  const Plan plan = PlanOf({});
+  const ShutOff shut_off = VerticesShutOff(plan, {0});
+  EXPECT_EQ(static_cast<int>(shut_off.on_object.size()), CountOfRoom(plan));
+  EXPECT_TRUE(shut_off.below.empty());
+  for (const int32_t v : shut_off.on_object) EXPECT_TRUE(IsOfRoom(plan.vertices[v].position)) << v;
 }
+
+TEST(VerticesShutOffTest, ThroughAWideGapTheStreetGoesOn) { EXPECT_TRUE(IsNothingShutOff(PlanOf({.gap = 4}))); }
 
 // Ground in the west, on a quarter of the yard's rim.
 TEST(VerticesShutOffTest, TreesAroundAYardAreNoRoof) {
   const auto crowns = [](const Point2& p) {
     return p.x() < 10.5 ? kStreet : kStreet + 6 + 4 * std::sin((p.x() + 1.3 * p.y()) / 2);
   };
-  EXPECT_TRUE(VerticesShutOff(PlanOf({.room = crowns}), {0}).empty());
+  EXPECT_TRUE(IsNothingShutOff(PlanOf({.room = crowns})));
   const auto roof = [](const Point2& p) { return p.x() < 10.5 ? kStreet : kRoof; };
-  EXPECT_FALSE(VerticesShutOff(PlanOf({.room = roof}), {0}).empty());
+  EXPECT_FALSE(IsNothingShutOff(PlanOf({.room = roof})));
+}
+
+// The roof goes over pieces of the street, and keeps its height there.
+TEST(VerticesShutOffTest, GroundOnTheRimOfARoofIsBelowIt) {
+  const auto roof = [](const Point2& p) { return p.x() < 10.5 ? kStreet : kRoof; };
+  const Plan plan = PlanOf({.room = roof});
+  const ShutOff shut_off = VerticesShutOff(plan, {0});
+  EXPECT_GT(shut_off.below.size(), 8u);
+  for (const auto& [v, height] : shut_off.below) {
+    EXPECT_LT(plan.vertices[v].position.x(), 10.5);
+    EXPECT_EQ(height, static_cast<float>(kRoof));
+  }
 }
 
 TEST(VerticesShutOffTest, AHouseAtOneSideOfAYardIsNotAroundIt) {
   const auto house_in_east = [](const Point2& p) { return p.x() > 29.5 || p.y() <= 11.5 ? kRoof : kStreet; };
-  EXPECT_TRUE(VerticesShutOff(PlanOf({.room = house_in_east}), {0}).empty());
+  EXPECT_TRUE(IsNothingShutOff(PlanOf({.room = house_in_east})));
 }
 
 TEST(VerticesShutOffTest, WithoutObjectsNoneIs) {
-  EXPECT_TRUE(VerticesShutOff(PlanOf({.room = [](const Point2&) { return kStreet; }}), {0}).empty());
+  EXPECT_TRUE(IsNothingShutOff(PlanOf({.room = [](const Point2&) { return kStreet; }})));
 }
 
 }  // namespace
