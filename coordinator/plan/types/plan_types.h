@@ -94,7 +94,7 @@ struct PlannedHole {
   SingleType single = SingleType::kNone;
   bool continuous = false;  // of a single mesh: touches another hole, or itself, at a vertex
   bool projects = true;     // its boundary is simple seen from above
-  bool in_ground = false;   // closed holes: most of the rim lies on the ground (mark_objects.h)
+  bool in_ground = false;   // closed holes: the rim has a vertex on the ground (mark_objects.h)
   int32_t cluster = -1;     // open holes
   int32_t layer = 0;        // open holes: from 1
   double area = 0;          // m2, seen from above (closed holes that do not project: of the boundary's vector area)
@@ -131,9 +131,11 @@ struct PlanVertex {
   int32_t follows = -1;
   // Of such a new vertex: the neighbour has surface there. Where that is an object, a wall goes up to it.
   bool on_neighbour = false;
-  bool on_ground = false;            // of an original vertex: the ground filter says so
-  bool on_object = false;            // of an original vertex: it stands on a tree, a house, a wall (mark_objects.h)
-  std::optional<float> ground = {};  // of such a vertex: the height of the ground there, metres, where it is known
+  bool on_ground = false;  // of an original vertex: the ground filter says so
+  // Of an original vertex: the fill passes below it, as it stands on a tree, a house, a wall; or above it, as it is
+  // street on the rim of a roof (mark_objects.h).
+  bool on_object = false;
+  std::optional<float> ground = {};  // of such a vertex: the height of the fill there, metres, where it is known
 };
 
 // A stretch of grid line through a hole, from one junction or grid corner to the next, in order of the coordinate along

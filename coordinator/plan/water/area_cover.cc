@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "coordinator/plan/water/line_intervals.h"
+
 namespace tilemend {
 namespace {
 
@@ -54,20 +56,6 @@ double CommonLength(const std::vector<double>& a, const std::vector<double>& b) 
     (a[i + 1] < b[j + 1] ? i : j) += 2;
   }
   return sum;
-}
-
-// Intervals that overlap are one.
-std::vector<double> UnionOf(std::vector<std::pair<double, double>> parts) {
-  std::sort(parts.begin(), parts.end());
-  std::vector<double> ends;
-  for (const auto& [low, high] : parts) {
-    if (!ends.empty() && low <= ends.back()) {
-      ends.back() = std::max(ends.back(), high);
-    } else {
-      ends.insert(ends.end(), {low, high});
-    }
-  }
-  return ends;
 }
 
 // What an area says but for its level: areas of which it differs say different things.

@@ -5,61 +5,87 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
+#include <set>
+#include <span>
 #include <utility>
 
+#include "common/mesh/disjoint_sets.h"
 #include "coordinator/plan/water/hole_groups.h"
+#include "coordinator/plan/water/line_intervals.h"
 
 namespace tilemend {
 namespace {
 
-constexpr double kLineSpacing = 0.25;   // metres
-constexpr double kMostLines = 1 << 20;  // memory; a hole of 262 km has no parts
-constexpr double kNeck = 0.75;          // metres: half of the widest gap between objects that shuts a part off
-constexpr double kFewerWalls = 0.5;     // of the walls down to the ground
-
-struct Interval {
-  double from, to;
-};
+constexpr double kLineSpacing = 0.25;  // metres
+constexpr double kNeck = 0.75;         // metres: half of the widest gap between objects that parts a hole
+constexpr double kFewerWalls = 0.5;    // of the walls down to the ground
+constexpr double kLeastArea = 1;       // m2, as a square of the ground raster
+constexpr double kMostLines = 1 << 20;
+constexpr size_t kMostRuns = size_t{1} << 22;
 
 // Of a line across the region, what lies in one part.
 struct Run {
-  Interval along;
+  double from, to;
   int32_t part;
 };
 
-// The union of the intervals, ascending.
-std::vector<Interval> Joined(std::vector<Interval> intervals) {
-  std::ranges::sort(intervals, {}, &Interval::from);
-  std::vector<Interval> joined;
-  for (const Interval& i : intervals) {
-    if (!joined.empty() && i.from <= joined.back().to) {
-      joined.back().to = std::max(joined.back().to, i.to);
-    } else {
-      joined.push_back(i);
+// Segments that a line meets which moves upwards.
+class SweptSegments {
+ public:
+  // `reach`: above and below a segment, as far as it is met
+  SweptSegments(std::vector<PlaneSegment> segments, double reach) : segments_(std::move(segments)), reach_(reach) {
+    for (auto& [low, high] : segments_) {
+      if (low.y() > high.y()) std::swap(low, high);
     }
+    std::ranges::sort(segments_, {}, [](const PlaneSegment& s) { return s.first.y(); });
   }
-  return joined;
+
+  // Those that the line at y meets, the lower end first; y rises from call to call.
+  const std::vector<PlaneSegment>& At(double y) {
+    for (; next_ < segments_.size() && segments_[next_].first.y() - reach_ <= y; ++next_) {
+      met_.push_back(segments_[next_]);
+    }
+    std::erase_if(met_, [&](const PlaneSegment& s) { return s.second.y() + reach_ <= y; });
+    return met_;
+  }
+
+ private:
+  std::vector<PlaneSegment> segments_;
+  double reach_;
+  size_t next_ = 0;
+  std::vector<PlaneSegment> met_ = {};
+};
+
+// Where a segment that is not level has this height; its nearer end where it has not.
+double AlongAt(const PlaneSegment& s, double y) {
+  const double share = std::clamp((y - s.first.y()) / (s.second.y() - s.first.y()), 0.0, 1.0);
+  return s.first.x() + share * (s.second.x() - s.first.x());
 }
 
-// `whole` without `taken`, both ascending and disjoint.
-std::vector<Interval> Without(const std::vector<Interval>& whole, const std::vector<Interval>& taken) {
-  std::vector<Interval> left;
-  auto next = taken.begin();
-  for (Interval i : whole) {
-    while (next != taken.end() && next->to <= i.from) ++next;
-    for (auto t = next; t != taken.end() && t->from < i.to; ++t) {
-      if (t->from > i.from) left.push_back({i.from, t->from});
-      i.from = std::max(i.from, t->to);
-    }
-    if (i.from < i.to) left.push_back(i);
+// What of the line lies in the region. A wall without width, seen from above, parts it.
+std::vector<double> InsideAt(double y, SweptSegments& region) {
+  std::vector<double> ends;
+  for (const PlaneSegment& s : region.At(y)) {
+    if (s.first.y() <= y && y < s.second.y()) ends.push_back(AlongAt(s, y));
   }
-  return left;
+  std::ranges::sort(ends);
+  return ends;
 }
 
-// The parts that are left of a region, seen from above, when the squares around its objects are taken from it: the
-// sides of these are twice kNeck.
+// What of the line lies in squares around points of objects.
+std::vector<double> TakenAt(double y, SweptSegments& objects) {
+  std::vector<std::pair<double, double>> taken;
+  for (const PlaneSegment& s : objects.At(y)) {
+    const bool is_level = s.first.y() == s.second.y();
+    const double a = is_level ? s.first.x() : AlongAt(s, y - kNeck);
+    const double b = is_level ? s.second.x() : AlongAt(s, y + kNeck);
+    taken.emplace_back(std::min(a, b) - kNeck, std::max(a, b) + kNeck);
+  }
+  return UnionOf(std::move(taken));
+}
+
+// The parts that are left of a region, seen from above, when the squares around its objects are taken from it.
 class Parts {
  public:
   Parts(const std::vector<PlaneSegment>& region, const std::vector<PlaneSegment>& objects) {
@@ -69,138 +95,144 @@ class Parts {
       top = std::max({top, p.y(), q.y()});
     }
     bottom_ = std::floor(bottom_ / kLineSpacing) * kLineSpacing;
-    if (!(top - bottom_ <= kMostLines * kLineSpacing)) return;
-    lines_.resize(static_cast<size_t>(std::ceil((top - bottom_) / kLineSpacing)) + 1);
-    FindRuns(region, objects);
+    if (region.empty() || !(top - bottom_ <= kMostLines * kLineSpacing)) return;
+    FindRuns(static_cast<size_t>(std::ceil((top - bottom_) / kLineSpacing)), {region, 0}, {objects, kNeck});
     JoinRuns();
   }
 
-  // The part nearest to a point, at most two necks away; -1: none.
+  // The part nearest to a point, at most two necks away; -1: none. O(log n) for each line in between.
   int32_t Nearest(const Point2& p) const {
-    double nearest = 2 * kNeck;
+    constexpr double kFar = 2 * kNeck;
+    double nearest = kFar;
     int32_t part = -1;
-    for (size_t l = FirstLine(p.y() - nearest); l < lines_.size() && HeightOf(l) <= p.y() + 2 * kNeck; ++l) {
-      for (const Run& run : lines_[l]) {
-        const double beside = std::max({run.along.from - p.x(), p.x() - run.along.to, 0.0});
+    const double first = std::ceil((p.y() - kFar - bottom_) / kLineSpacing - 0.5);
+    for (auto l = static_cast<size_t>(std::max(0.0, first)); l < Lines() && HeightOf(l) <= p.y() + kFar; ++l) {
+      const auto line = LineOf(l);
+      for (auto run = std::ranges::lower_bound(line, p.x() - kFar, {}, &Run::to);
+           run != line.end() && run->from < p.x() + kFar; ++run) {
+        if (run->part < 0) continue;
+        const double beside = std::max({run->from - p.x(), p.x() - run->to, 0.0});
         const double distance = std::hypot(beside, HeightOf(l) - p.y());
-        if (distance < nearest) {
-          nearest = distance;
-          part = run.part;
-        }
+        if (distance >= nearest) continue;
+        nearest = distance;
+        part = run->part;
       }
     }
     return part;
   }
 
  private:
+  size_t Lines() const { return first_.empty() ? 0 : first_.size() - 1; }
   double HeightOf(size_t line) const { return bottom_ + (static_cast<double>(line) + 0.5) * kLineSpacing; }
-  size_t FirstLine(double y) const {
-    return static_cast<size_t>(std::max(0.0, std::ceil((y - bottom_) / kLineSpacing - 0.5)));
+  std::span<const Run> LineOf(size_t line) const {
+    return std::span(runs_).subspan(first_[line], first_[line + 1] - first_[line]);
   }
 
-  void FindRuns(const std::vector<PlaneSegment>& region, const std::vector<PlaneSegment>& objects) {
-    std::vector<std::vector<double>> ends(lines_.size());
-    for (const auto& [p, q] : region) {
-      const Point2 &low = p.y() < q.y() ? p : q, &high = p.y() < q.y() ? q : p;
-      for (size_t l = FirstLine(low.y()); l < lines_.size() && HeightOf(l) < high.y(); ++l) {
-        const double share = (HeightOf(l) - low.y()) / (high.y() - low.y());
-        ends[l].push_back(low.x() + share * (high.x() - low.x()));
+  void FindRuns(size_t lines, SweptSegments region, SweptSegments objects) {
+    first_ = {0};
+    for (size_t l = 0; l < lines; ++l) {
+      const double y = HeightOf(l);
+      const std::vector<double> left = Without(InsideAt(y, region), TakenAt(y, objects));
+      for (size_t i = 0; i + 1 < left.size(); i += 2) {
+        runs_.push_back({left[i], left[i + 1], static_cast<int32_t>(runs_.size())});
       }
+      first_.push_back(runs_.size());
+      if (runs_.size() <= kMostRuns) continue;
+      runs_.clear();
+      first_.clear();
+      return;
     }
-    std::vector<std::vector<Interval>> taken(lines_.size());
-    for (const auto& [p, q] : objects) {
-      const Point2 &low = p.y() < q.y() ? p : q, &high = p.y() < q.y() ? q : p;
-      for (size_t l = FirstLine(low.y() - kNeck); l < lines_.size() && HeightOf(l) <= high.y() + kNeck; ++l) {
-        const auto at = [&](double y) {
-          const double rise = high.y() - low.y();
-          return low.x() + (rise > 0 ? std::clamp((y - low.y()) / rise, 0.0, 1.0) : 0.0) * (high.x() - low.x());
-        };
-        const double a = at(HeightOf(l) - kNeck);
-        const double b = high.y() > low.y() ? at(HeightOf(l) + kNeck) : high.x();
-        taken[l].push_back({std::min(a, b) - kNeck, std::max(a, b) + kNeck});
-      }
-    }
-    int32_t runs = 0;
-    for (size_t l = 0; l < lines_.size(); ++l) {
-      std::ranges::sort(ends[l]);
-      std::vector<Interval> inside;
-      for (size_t i = 0; i + 1 < ends[l].size(); i += 2) inside.push_back({ends[l][i], ends[l][i + 1]});
-      for (const Interval& i : Without(inside, Joined(std::move(taken[l])))) lines_[l].push_back({i, runs++});
-    }
-    part_of_.resize(runs);
-    std::iota(part_of_.begin(), part_of_.end(), 0);
   }
 
-  int32_t PartOf(int32_t run) {
-    while (part_of_[run] != run) run = part_of_[run] = part_of_[part_of_[run]];
-    return run;
-  }
-
-  // Those of lines beside each other that face each other are of one part.
+  // Those of lines beside each other that face each other are of one part; small ones are of none.
   void JoinRuns() {
-    for (size_t l = 1; l < lines_.size(); ++l) {
-      auto below = lines_[l - 1].begin();
-      for (const Run& run : lines_[l]) {
-        while (below != lines_[l - 1].end() && below->along.to <= run.along.from) ++below;
-        for (auto b = below; b != lines_[l - 1].end() && b->along.from < run.along.to; ++b) {
-          part_of_[PartOf(run.part)] = PartOf(b->part);
-        }
+    DisjointSets sets(static_cast<int32_t>(runs_.size()));
+    for (size_t l = 1; l < Lines(); ++l) {
+      const auto lower = LineOf(l - 1);
+      auto below = lower.begin();
+      for (const Run& run : LineOf(l)) {
+        while (below != lower.end() && below->to <= run.from) ++below;
+        for (auto b = below; b != lower.end() && b->from < run.to; ++b) sets.Join(run.part, b->part);
       }
     }
-    for (std::vector<Run>& line : lines_) {
-      for (Run& run : line) run.part = PartOf(run.part);
+    std::map<int32_t, double> areas;
+    for (Run& run : runs_) {
+      run.part = sets.LowestOf(run.part);
+      areas[run.part] += (run.to - run.from) * kLineSpacing;
+    }
+    for (Run& run : runs_) {
+      if (areas[run.part] <= kLeastArea) run.part = -1;
     }
   }
 
   double bottom_ = std::numeric_limits<double>::infinity();
-  std::vector<std::vector<Run>> lines_;  // from bottom_ upwards
-  std::vector<int32_t> part_of_;         // of runs: union-find
+  std::vector<Run> runs_ = {};      // line by line, upwards
+  std::vector<size_t> first_ = {};  // of each line in runs_, and their number
 };
 
-// Seen from above, at an original vertex of the rim.
-struct OutlineVertex {
-  double length = 0;  // metres of rim that is no steeper than 45 degrees: what runs up a wall tells of neither surface
-  Point2 into_hole{0, 0};  // across the rim, of any length
+// An end of an edge of the rim, at an original vertex; seen from above.
+struct RimEnd {
+  int32_t vertex;
+  double length;  // half of the edge, metres; 0 if it is steeper than 45 degrees: what runs up a wall tells of neither
+                  // surface
+  Point2 into_hole;  // across the edge, of length 1
 };
 
-// The original rim of some holes, seen from above.
+// The rim of some holes, seen from above.
 struct Outline {
-  std::vector<PlaneSegment> on_objects = {};  // both ends are
-  std::map<int32_t, OutlineVertex> vertices = {};
+  std::vector<PlaneSegment> region = {};      // what bounds it: rims, and seams to other holes than these
+  std::vector<PlaneSegment> on_objects = {};  // original edges, both ends of which are
+  std::vector<RimEnd> ends = {};
 };
+
+PlaneSegment FromAbove(const Plan& plan, int32_t from, int32_t to) {
+  return {plan.vertices[from].position.head<2>(), plan.vertices[to].position.head<2>()};
+}
 
 Outline OutlineOf(const Plan& plan, const std::vector<int32_t>& holes) {
   Outline outline;
+  std::map<std::pair<int32_t, int32_t>, int> seams;  // how often
   for (const int32_t h : holes) {
-    ForRimSegments(plan.holes[h], [&](const RimSegment& s) {
-      if (s.seam) return;
-      const PlanVertex& a = plan.vertices[s.from];
-      const PlanVertex& b = plan.vertices[s.to];
-      if (a.on_object && b.on_object) outline.on_objects.emplace_back(a.position.head<2>(), b.position.head<2>());
-      const Point3 way = b.position - a.position;
-      const double length = way.head<2>().norm();
-      for (const int32_t v : {s.from, s.to}) {
-        if (plan.vertices[v].index < 0) continue;
-        OutlineVertex& vertex = outline.vertices[v];
-        if (std::abs(way.z()) <= length) vertex.length += length / 2;
-        vertex.into_hole += Point2(-way.y(), way.x());  // the hole is on the left
+    for (const RimSegment& s : plan.holes[h].segments) {
+      if (s.seam) {
+        ++seams[std::minmax(s.from, s.to)];
+      } else {
+        outline.region.push_back(FromAbove(plan, s.from, s.to));
       }
-    });
+    }
   }
+  for (const auto& [ends, count] : seams) {
+    if (count % 2 == 1) outline.region.push_back(FromAbove(plan, ends.first, ends.second));
+  }
+  std::set<std::pair<int32_t, int32_t>> seen;  // own regions have edges of the hole once more
+  const auto add = [&](const RimSegment& s) {
+    if (s.seam || !seen.emplace(s.from, s.to).second) return;
+    const PlanVertex& a = plan.vertices[s.from];
+    const PlanVertex& b = plan.vertices[s.to];
+    if (a.on_object && b.on_object) outline.on_objects.push_back(FromAbove(plan, s.from, s.to));
+    const Point3 way = b.position - a.position;
+    const double length = way.head<2>().norm();
+    const Point2 into_hole = Point2(-way.y(), way.x()).normalized();  // the hole is on the left
+    for (const int32_t v : {s.from, s.to}) {
+      if (plan.vertices[v].index < 0) continue;
+      outline.ends.push_back({v, std::abs(way.z()) <= length ? length / 2 : 0, into_hole});
+    }
+  };
+  for (const int32_t h : holes) ForRimSegments(plan.holes[h], add);
   return outline;
 }
 
-// A vertex on the rim of a part.
+// An end of an edge on the rim of a part.
 struct RimPoint {
   int32_t vertex;
-  double length;  // as OutlineVertex::length
+  double length;  // as RimEnd::length
   double height;
   std::optional<double> ground;  // under it, where that is known
   bool on_object;
 };
 
-// Half of the length lies below it.
-double MedianOf(std::vector<std::pair<double, double>> heights_and_lengths) {
+// Half of the length lies below it. None without a height.
+std::optional<double> MedianOf(std::vector<std::pair<double, double>> heights_and_lengths) {
   std::ranges::sort(heights_and_lengths);
   double whole = 0;
   for (const auto& [height, length] : heights_and_lengths) whole += length;
@@ -209,60 +241,88 @@ double MedianOf(std::vector<std::pair<double, double>> heights_and_lengths) {
     below += length;
     if (below >= whole / 2) return height;
   }
-  return 0;
+  return std::nullopt;
 }
 
 // Square metres of upright wall between the rim and a level through its objects, and between the rim and the ground.
 struct Walls {
   double to_objects = 0, to_ground = 0;
   double level = 0;  // of the objects
+
+  bool AreFewerToObjects() const { return to_objects < kFewerWalls * to_ground; }
 };
 
-Walls WallsOf(const std::vector<RimPoint>& rim) {
+// `ground_level`: where it is not known below a vertex. All walls are 0 without an object.
+Walls WallsOf(const std::vector<RimPoint>& rim, double ground_level) {
   std::vector<std::pair<double, double>> objects;
-  std::vector<std::pair<double, double>> ground;
   for (const RimPoint& p : rim) {
     if (p.on_object) objects.emplace_back(p.height, p.length);
-    if (p.ground) ground.emplace_back(*p.ground, p.length);
   }
-  const double level_of_ground = MedianOf(std::move(ground));
-  Walls walls{.level = MedianOf(std::move(objects))};
+  const std::optional<double> level = MedianOf(std::move(objects));
+  if (!level) return {};
+  Walls walls{.level = *level};
   for (const RimPoint& p : rim) {
     walls.to_objects += p.length * std::abs(p.height - walls.level);
-    walls.to_ground += p.length * std::abs(p.height - p.ground.value_or(level_of_ground));
+    walls.to_ground += p.length * std::abs(p.height - p.ground.value_or(ground_level));
   }
   return walls;
 }
 
-}  // namespace
+using Rims = std::map<int32_t, std::vector<RimPoint>>;  // by part
 
-ShutOff VerticesShutOff(const Plan& plan, const std::vector<int32_t>& holes) {
-  const Outline outline = OutlineOf(plan, holes);
-  if (outline.on_objects.empty()) return {};
-  const Parts parts(BoundaryOf(plan, holes), outline.on_objects);
-  std::map<int32_t, std::vector<RimPoint>> rims;
-  for (const auto& [v, at] : outline.vertices) {
-    const PlanVertex& vertex = plan.vertices[v];
-    const int32_t part = parts.Nearest(vertex.position.head<2>() + kNeck * at.into_hole.normalized());
+Rims RimsOf(const Plan& plan, const Outline& outline, const Parts& parts) {
+  Rims rims;
+  for (const RimEnd& end : outline.ends) {
+    const PlanVertex& vertex = plan.vertices[end.vertex];
+    const int32_t part = parts.Nearest(vertex.position.head<2>() + kNeck * end.into_hole);
     if (part < 0) continue;
     const double height = vertex.position.z();
     const std::optional<double> ground = vertex.on_object ? std::optional<double>(vertex.ground) : height;
-    rims[part].push_back({v, at.length, height, ground, vertex.on_object});
+    rims[part].push_back({end.vertex, end.length, height, ground, vertex.on_object});
   }
-  ShutOff shut_off;
+  return rims;
+}
+
+std::optional<double> GroundLevelOf(const Rims& rims) {
+  std::vector<std::pair<double, double>> ground;
   for (const auto& [part, rim] : rims) {
-    const Walls walls = WallsOf(rim);
-    if (walls.to_objects >= kFewerWalls * walls.to_ground) continue;
     for (const RimPoint& p : rim) {
-      const bool is_of_ground = p.ground && std::abs(p.height - *p.ground) < std::abs(p.height - walls.level);
-      if (is_of_ground) {
-        shut_off.below.emplace_back(p.vertex, static_cast<float>(walls.level));
+      if (p.ground) ground.emplace_back(*p.ground, p.length);
+    }
+  }
+  return MedianOf(std::move(ground));
+}
+
+}  // namespace
+
+RoofParts FindRoofParts(const Plan& plan, const std::vector<int32_t>& holes) {
+  const Outline outline = OutlineOf(plan, holes);
+  if (outline.on_objects.empty()) return {};
+  const Parts parts(outline.region, outline.on_objects);
+  const Rims rims = RimsOf(plan, outline, parts);
+  const std::optional<double> ground_level = GroundLevelOf(rims);
+  if (!ground_level) return {};
+  std::set<int32_t> in_ground;
+  std::set<int32_t> joined;
+  std::map<int32_t, double> below;
+  for (const auto& [part, rim] : rims) {
+    const Walls walls = WallsOf(rim, *ground_level);
+    for (const RimPoint& p : rim) {
+      if (!walls.AreFewerToObjects()) {
+        in_ground.insert(p.vertex);
+      } else if (p.ground && std::abs(p.height - *p.ground) < std::abs(p.height - walls.level)) {
+        below[p.vertex] = walls.level;
       } else {
-        shut_off.on_object.push_back(p.vertex);
+        joined.insert(p.vertex);
       }
     }
   }
-  return shut_off;
+  if (in_ground.empty()) return {};
+  RoofParts found{.joined = {joined.begin(), joined.end()}, .below = {}};
+  for (const auto& [v, level] : below) {
+    if (!in_ground.contains(v) && !joined.contains(v)) found.below.emplace_back(v, static_cast<float>(level));
+  }
+  return found;
 }
 
 }  // namespace tilemend

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -48,22 +49,28 @@ void MarkHolesInGround(Plan& plan) {
 
 void MarkObjects(Plan& plan) {
   MarkHolesInGround(plan);
-  std::vector<bool> counts(plan.vertices.size(), false);
+  // A vertex may be on the rims of several groups.
+  std::vector<bool> stands_on_object(plan.vertices.size(), false);  // as seen from one of them
+  std::vector<int> groups(plan.vertices.size(), 0);
   std::vector<std::pair<int32_t, float>> below;
   for (const std::vector<int32_t>& holes : GroupHoles(plan)) {
     const std::vector<int32_t> rim = RimVerticesOf(plan, holes);
+    for (const int32_t v : rim) ++groups[v];
     if (std::ranges::all_of(rim, [&](int32_t v) { return plan.vertices[v].on_object; })) continue;
-    for (const int32_t v : rim) counts[v] = true;
-    const ShutOff shut_off = VerticesShutOff(plan, holes);
-    for (const int32_t v : shut_off.on_object) counts[v] = false;
-    below.insert(below.end(), shut_off.below.begin(), shut_off.below.end());
+    const RoofParts in_roofs = FindRoofParts(plan, holes);
+    const std::set<int32_t> joined(in_roofs.joined.begin(), in_roofs.joined.end());
+    for (const int32_t v : rim) {
+      if (!joined.contains(v)) stands_on_object[v] = true;
+    }
+    below.insert(below.end(), in_roofs.below.begin(), in_roofs.below.end());
   }
-  for (size_t v = 0; v < counts.size(); ++v) {
-    if (counts[v]) continue;
+  for (size_t v = 0; v < stands_on_object.size(); ++v) {
+    if (stands_on_object[v]) continue;
     plan.vertices[v].on_object = false;
     plan.vertices[v].ground.reset();
   }
   for (const auto& [v, height] : below) {
+    if (groups[v] > 1) continue;
     plan.vertices[v].on_object = true;
     plan.vertices[v].ground = height;
   }
