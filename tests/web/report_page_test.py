@@ -110,7 +110,8 @@ def check_second_round(program, folder, chromium, temporary):
 
 
 def check_other_fill(program, folder, chromium, temporary):
-    """A hole with a fill that is not in the queue is decided on from the table of holes, where its crossings are."""
+    """A hole with a fill that is not in the queue is decided on from the table of holes, where its crossings are. A hole
+    without an outline is not."""
     scene, out = os.path.join(temporary, 'scene'), os.path.join(temporary, 'other')
     done = run(program, 'run', scene, '--out', out)
     if done.returncode:
@@ -119,15 +120,27 @@ def check_other_fill(program, folder, chromium, temporary):
     with open(path) as file:
         report = json.load(file)
     row = report['per_hole'][-1]
-    row['crossings'] = 5
+    row |= {'crossings': 5, 'doubt_m3': 0.04,
+            'water': {'taken_for': 'lake', 'level_m': 1.25, 'sigma_m': 0.125, 'reason': 'its rim is level'}}
+    other = report['per_hole'][0]['id']  # all are closed, and so in no cluster
     report['review'] = []
     with open(path, 'w') as file:
         json.dump(report, file)
+    outlines = os.path.join(out, 'holes.geojson')
+    with open(outlines) as file:
+        whole = file.read()
+    cut = json.loads(whole)
+    cut['features'] = [f for f in cut['features'] if f['properties'].get('hole') != other]
+    with open(outlines, 'w') as file:
+        json.dump(cut, file)
     shutil.copy(os.path.join(HERE, 'decide_hole.mjs'), folder)
     marks = os.path.join(folder, 'other.geojson')
     for command in ((program, 'report', out, '--html'),
-                    ('node', 'decide_hole.mjs', os.path.join(out, 'report.html'), chromium, marks, str(row['id'])),
+                    ('node', 'decide_hole.mjs', os.path.join(out, 'report.html'), chromium, marks, str(row['id']), str(other)),
                     (program, 'run', scene, '--out', out, '--decisions', marks)):
+        if command[1] == 'run':
+            with open(outlines, 'w') as file:
+                file.write(whole)
         done = run(*command, cwd=folder)
         if done.returncode:
             fail(done.stdout)
