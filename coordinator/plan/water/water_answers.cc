@@ -163,6 +163,21 @@ struct BodyAnswer {
   std::string reason;  // why the area is not taken for it; "" if it is
 };
 
+// The reason of the body that fits best. Those of the other bodies are doubts of a decision, unless it is taken and
+// about the best body alone.
+void AddReasons(const WaterArea& area, const std::vector<BodyAnswer>& answers, WaterAnswer& answer) {
+  const auto best = std::ranges::max_element(answers, {}, &BodyAnswer::fit);  // the first of equals
+  if (best == answers.end()) return;
+  answer.reason = best->reason;
+  if (answer.decision == ReviewDecision::kNone) return;
+  std::vector<const std::string*> others;
+  for (const BodyAnswer& other : answers) {
+    if (&other != &*best && other.share >= kNoticed && !other.reason.empty()) others.push_back(&other.reason);
+  }
+  if (others.empty() || (answer.reason.empty() && MostLiesIn(area, *best->body))) return;
+  for (const std::string* other : others) AddDoubt(*other, answer);
+}
+
 class Answers {
  public:
   Answers(const std::vector<WaterArea>& areas, const std::optional<PlaneBounds>& scene, Plan& plan,
@@ -214,21 +229,6 @@ class Answers {
   }
 
  private:
-  // The reason of the body that fits best. Those of the other bodies are doubts of a decision, unless it is taken and
-  // about the best body alone.
-  static void AddReasons(const WaterArea& area, const std::vector<BodyAnswer>& answers, WaterAnswer& answer) {
-    const auto best = std::ranges::max_element(answers, {}, &BodyAnswer::fit);  // the first of equals
-    if (best == answers.end()) return;
-    answer.reason = best->reason;
-    if (answer.decision == ReviewDecision::kNone) return;
-    std::vector<const std::string*> others;
-    for (const BodyAnswer& other : answers) {
-      if (&other != &*best && other.share >= kNoticed && !other.reason.empty()) others.push_back(&other.reason);
-    }
-    if (others.empty() || (answer.reason.empty() && MostLiesIn(area, *best->body))) return;
-    for (const std::string* other : others) AddDoubt(*other, answer);
-  }
-
   // `taken`: m2 of the bodies that are filled as it says; `under`: what of them lies under the area.
   void AddDoubts(size_t a, double taken, double under, WaterAnswer& answer) const {
     if (answer.taken && answer.water) {
