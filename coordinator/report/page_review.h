@@ -14,8 +14,8 @@ namespace tilemend {
 
 // Fills of less doubt are not in the page's queue: it holds the outline of each.
 inline constexpr size_t kMostReviewItems = 1000;
-// Of the outlines of other fills, together. Packed, each takes some 9 bytes: a page is at most 5 MB longer, and a browser
-// unpacks 12 MB.
+// Of the outlines of other fills, together. Packed, each takes some 9 bytes: a page is at most 5 MB longer, and a
+// browser unpacks 12 MB.
 inline constexpr size_t kMostOutlinePositions = 500'000;
 
 // How many fills wait for a decision: the rows of the report's `review`. 0 if it has none.

@@ -109,6 +109,22 @@ def check_second_round(program, folder, chromium, temporary):
         fail(f'the second round changed what the first decided: {first}, {second}')
 
 
+def page_without_outline(program, out, hole):
+    """The page as it is if holes.geojson has no outline of the hole."""
+    path = os.path.join(out, 'holes.geojson')
+    with open(path) as file:
+        whole = file.read()
+    cut = json.loads(whole)
+    cut['features'] = [f for f in cut['features'] if f['properties'].get('hole') != hole]
+    with open(path, 'w') as file:
+        json.dump(cut, file)
+    done = run(program, 'report', out, '--html')
+    if done.returncode:
+        fail(done.stdout)
+    with open(path, 'w') as file:
+        file.write(whole)
+
+
 def check_other_fill(program, folder, chromium, temporary):
     """A hole with a fill that is not in the queue is decided on from the table of holes, where its crossings are. A hole
     without an outline is not."""
@@ -126,21 +142,11 @@ def check_other_fill(program, folder, chromium, temporary):
     report['review'] = []
     with open(path, 'w') as file:
         json.dump(report, file)
-    outlines = os.path.join(out, 'holes.geojson')
-    with open(outlines) as file:
-        whole = file.read()
-    cut = json.loads(whole)
-    cut['features'] = [f for f in cut['features'] if f['properties'].get('hole') != other]
-    with open(outlines, 'w') as file:
-        json.dump(cut, file)
+    page_without_outline(program, out, other)
     shutil.copy(os.path.join(HERE, 'decide_hole.mjs'), folder)
     marks = os.path.join(folder, 'other.geojson')
-    for command in ((program, 'report', out, '--html'),
-                    ('node', 'decide_hole.mjs', os.path.join(out, 'report.html'), chromium, marks, str(row['id']), str(other)),
+    for command in (('node', 'decide_hole.mjs', os.path.join(out, 'report.html'), chromium, marks, str(row['id']), str(other)),
                     (program, 'run', scene, '--out', out, '--decisions', marks)):
-        if command[1] == 'run':
-            with open(outlines, 'w') as file:
-                file.write(whole)
         done = run(*command, cwd=folder)
         if done.returncode:
             fail(done.stdout)
