@@ -43,14 +43,15 @@ std::optional<int64_t> HoleNumbers::At(CellId cell, const Point3& p) const {
   const auto in_cell = holes_.find(ToString(cell));
   if (in_cell == holes_.end()) return std::nullopt;
   std::optional<int64_t> best;
-  std::tuple<double, double, bool, double> best_key;  // metres; metres in height; outside; metres from the boundary
+  // Metres; of unknown height; metres in height; outside; metres from the boundary.
+  std::tuple<double, bool, double, bool, double> best_key;
   for (const auto& [number, hole] : in_cell->second) {
     const bool is_outside = !Contains(hole.around, p.head<2>());
     const double from_boundary = DistanceToLines(hole.lines, p.head<2>());
     const double in_height = DistanceInHeight(hole.heights, p.z());
     const double distance = is_outside ? std::hypot(std::max(0.0, from_boundary - kAtBoundary), in_height)
                                        : std::max(0.0, in_height - from_boundary);
-    const std::tuple key(distance, in_height, is_outside, from_boundary);
+    const std::tuple key(distance, !hole.heights.has_value(), in_height, is_outside, from_boundary);
     if (best && key >= best_key) continue;
     best = number;
     best_key = key;

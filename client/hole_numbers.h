@@ -24,9 +24,9 @@ class HoleNumbers {
   // from above, that to its boundary; 0 if it goes around p or is less than a centimetre away;
   // in height, that to the range of its rim and its water. Inside, it is 0 up to the distance from above to the
   // boundary, by which a fill may rise above its rim or sink below it. It is 0 if the heights are not known.
-  // Among holes at the same distance: the one whose range is nearest in height, then one around p, then the one whose
-  // boundary is nearest from above. None if no boundary of a filled hole of the cell is known.
-  // O(points of the cell's boundaries).
+  // Among holes at the same distance: one whose heights are known, then the one whose range is nearest in height, then
+  // one around p, then the one whose boundary is nearest from above. None if no boundary of a filled hole of the cell
+  // is known. O(points of the cell's boundaries).
   std::optional<int64_t> At(CellId cell, const Point3& p) const;
 
  private:

@@ -70,6 +70,18 @@ std::string HolesOf(const Json& row) {
   return holes.size() < 2 ? hole : absl::StrCat(hole, " and ", holes.size() - 1, " more");
 }
 
+// The numbers of all holes that a row is about. Those of one cluster may be named by another one of them elsewhere.
+std::set<Json> HoleIdsOf(const Json& row) {
+  const Json& holes = Member(row, "holes");
+  std::set<Json> ids;
+  if (holes.is_array()) ids.insert(holes.begin(), holes.end());
+  if (const Json& hole = Member(row, "hole"); !hole.is_null()) ids.insert(hole);
+  return ids;
+}
+
+// Of a volume, as AreaText; "" if it is not known.
+std::string DoubtText(const Json& volume) { return volume.is_null() ? "" : AreaText(volume); }
+
 // Those of per_hole that `is_wanted`, the largest first.
 std::vector<const Json*> HolesByArea(const Json& report, const std::function<bool(const Json&)>& is_wanted) {
   std::vector<const Json*> holes;
@@ -140,14 +152,19 @@ std::string ReviewText(const Json& report) {
   if (count == 0) return "";
   const HoleColumns columns(report);
   std::map<Json, const Json*> why;  // by hole
-  for (const Json& item : Member(report, "look_at")) why[Member(item, "hole")] = &Member(item, "why");
+  for (const Json& item : Member(report, "look_at")) {
+    for (const Json& hole : HoleIdsOf(item)) why[hole] = &Member(item, "why");
+  }
   Rows rows;
   for (const Json& item : Member(report, "review")) {
     if (rows.size() == kMostListedRows || !item.is_object()) break;
-    const auto found = why.find(Member(item, "hole"));
+    std::string reason;
+    for (const Json& hole : HoleIdsOf(item)) {
+      if (const auto found = why.find(hole); reason.empty() && found != why.end()) reason = Text(*found->second);
+    }
     rows.push_back({HolesOf(item), Text(Member(item, "cell")), CentreText(Member(item, "centre")), columns.Area(item),
-                    Text(Member(item, "taken_for")), Decimals(Member(item, "doubt_m3"), 1),
-                    Text(Member(item, "crossings")), found == why.end() ? "" : Text(*found->second)});
+                    Text(Member(item, "taken_for")), DoubtText(Member(item, "doubt_m3")),
+                    Text(Member(item, "crossings")), reason});
   }
   ShortenRepeated(rows);
   return absl::StrCat(
@@ -158,12 +175,13 @@ std::string ReviewText(const Json& report) {
 
 std::string LookAtText(const Json& report) {
   std::set<Json> queued;
-  for (const Json& item : Member(report, "review")) queued.insert(Member(item, "hole"));
+  for (const Json& item : Member(report, "review")) queued.merge(HoleIdsOf(item));
+  const auto is_queued = [&](const Json& hole) { return queued.contains(hole); };
   const HoleColumns columns(report);
   size_t places = 0;
   Rows rows;
   for (const Json& item : Member(report, "look_at")) {
-    if (!item.is_object() || queued.contains(Member(item, "hole")) || ++places > kMostListedRows) continue;
+    if (!item.is_object() || std::ranges::any_of(HoleIdsOf(item), is_queued) || ++places > kMostListedRows) continue;
     rows.push_back({HolesOf(item), Text(Member(item, "cell")), CentreText(Member(item, "centre")), columns.Area(item),
                     Text(Member(item, "why"))});
   }

@@ -96,7 +96,7 @@ Json PageData(const Json& report, const Scene* scene, const PagePictures& pictur
                                          {"cell_size", {scene->grid.cell_size.x(), scene->grid.cell_size.y()}},
                                          {"corner", {scene->grid.corner.x(), scene->grid.corner.y()}}};
   data["hole_count"] = HoleRowsOf(report).size();
-  data["per_hole"] = PageHoles(report, kMostPageHoles);
+  data["per_hole"] = PageHoles(report, kMostListedHoles);
   data["pictures"] = PicturesJson(pictures);
   data["picture_problems"] = pictures.problems;
   data["tasks"] = Member(report, "tasks");

@@ -10,9 +10,6 @@
 
 namespace tilemend {
 
-// More holes than this are not listed one by one: those that were left come first, then the largest.
-inline constexpr size_t kMostPageHoles = 20000;
-
 // The members of the report that the page shows, the options that are not the defaults, the state of each cell, and the
 // pictures as base64. The `scene` gives the cells without a hole; if it is null, only the cells in the report are
 // shown. The form is declared in web/src/data.ts. Linear.

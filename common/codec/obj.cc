@@ -157,6 +157,8 @@ class ObjReader {
     } else if (word == "g") {
       const bool is_filled = RestOfLine(p) == kFilledGroup;
       textures_->groups.push_back({static_cast<int32_t>(file_.mesh.triangles.size()), is_filled});
+    } else if (word == "l" || word == "p") {
+      ++textures_->lines_and_points;
     }
   }
 
@@ -253,7 +255,7 @@ class ObjReader {
     AddPolygon(corners_, places_, visit_, file_, cut_, all_points_);
     if (cut_.empty() && flat_faces_ == FlatFaces::kKeep) AddFan(corners_, file_, cut_);
     if (textures_ != nullptr) {
-      textures_->lines_and_points += corners_.size() < 3 ? 1 : 0;
+      textures_->short_faces += corners_.size() < 3 ? 1 : 0;
       for (const auto& [a, b, c] : cut_) {
         textures_->corners.push_back({texture_corners_[a], texture_corners_[b], texture_corners_[c]});
       }

@@ -43,7 +43,8 @@ struct ObjTextures {
   std::vector<std::optional<Rgb>> vertex_colours = {};  // after the coordinates of `v`; empty: no vertex has one
   // Of each vertex up to the last that has any: a digest of its columns after x y z (a colour or weight); 0 without.
   std::vector<uint64_t> vertex_columns;
-  int64_t lines_and_points = 0;  // faces with fewer than three corners
+  int64_t short_faces = 0;       // with fewer than three corners
+  int64_t lines_and_points = 0;  // statements `l` and `p`
 };
 
 // What becomes of faces that name a vertex twice and bound no surface (polygons.h). kKeep: they are cut into triangles

@@ -1,10 +1,13 @@
 #include "coordinator/report/page_review.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "absl/strings/escaping.h"
 #include "absl/strings/str_cat.h"
@@ -38,15 +41,33 @@ const Json& HoleIn(const Json& feature) { return Member(Member(feature, "propert
 // Whether a reviewer decided on the hole before.
 bool IsDecided(const Json& feature) { return Member(Member(feature, "properties"), "decision").is_string(); }
 
-// Holes with a fill that belong to no item.
-std::set<int64_t> OthersOf(const Json& report, const std::map<int64_t, int64_t>& item_of) {
-  std::set<int64_t> others;
-  for (const Json& row : PageHoles(report, kMostOutlinedHoles)) {
-    const Json& hole = Member(row, "id");
-    if (Member(row, "filled") != true || !hole.is_number_integer() || item_of.contains(hole.get<int64_t>())) continue;
-    others.insert(hole.get<int64_t>());
+// A fill that is in no item: the holes of a cluster, or one hole.
+struct OtherFill {
+  std::vector<int64_t> holes;
+  double area = 0;  // m2
+};
+
+// Those of the holes that the page lists, the largest first.
+std::vector<OtherFill> OthersOf(const Json& report, const std::map<int64_t, int64_t>& item_of) {
+  std::vector<OtherFill> fills;
+  std::map<int64_t, size_t> fill_of_cluster;
+  for (const Json* row : ListedHoles(report, kMostListedHoles)) {
+    const Json& hole = Member(*row, "id");
+    if (IsLeftOpen(*row) || !hole.is_number_integer() || item_of.contains(hole.get<int64_t>())) continue;
+    const int64_t cluster = ClusterOf(*row);
+    const size_t fill = cluster < 0 ? fills.size() : fill_of_cluster.try_emplace(cluster, fills.size()).first->second;
+    if (fill == fills.size()) fills.emplace_back();
+    fills[fill].holes.push_back(hole.get<int64_t>());
+    fills[fill].area += std::abs(Number(Member(*row, "area_m2")));
   }
-  return others;
+  std::ranges::stable_sort(fills, std::greater<>(), &OtherFill::area);
+  return fills;
+}
+
+std::set<int64_t> HolesOf(const std::vector<OtherFill>& fills) {
+  std::set<int64_t> holes;
+  for (const OtherFill& fill : fills) holes.insert(fill.holes.begin(), fill.holes.end());
+  return holes;
 }
 
 // holes.geojson without the features of holes that nobody decided on, and that are neither in an item nor others.
@@ -90,14 +111,46 @@ Json OutlinesOf(const Json& holes, const std::map<int64_t, int64_t>& item_of) {
   return outlines;
 }
 
-Json OutlinesOfOthers(const Json& holes, const std::set<int64_t>& others) {
-  Json outlines = Json::object();
+size_t PositionsIn(const Json& coordinates) {
+  if (!coordinates.is_array() || coordinates.empty()) return 0;
+  if (coordinates.front().is_number()) return 1;
+  size_t positions = 0;
+  for (const Json& part : coordinates) positions += PositionsIn(part);
+  return positions;
+}
+
+struct OtherOutlines {
+  Json outlines = Json::object();     // `others` of PageReview
+  std::vector<int64_t> without = {};  // `without_outline`
+};
+
+OtherOutlines OutlinesOfOthers(const Json& holes, const std::vector<OtherFill>& others) {
+  std::map<int64_t, const Json*> features;
   for (const Json& feature : Member(holes, "features")) {
     const Json& hole = HoleIn(feature);
-    if (!hole.is_number_integer() || !others.contains(hole.get<int64_t>()) || !HasPolygon(feature)) continue;
-    outlines[absl::StrCat(hole.get<int64_t>())] = OutlineOf(feature);
+    if (hole.is_number_integer() && HasPolygon(feature)) features[hole.get<int64_t>()] = &feature;
   }
-  return outlines;
+  OtherOutlines result;
+  size_t room = kMostOutlinePositions;
+  for (const OtherFill& fill : others) {
+    std::vector<const Json*> outlines;
+    size_t positions = 0;
+    for (const int64_t hole : fill.holes) {
+      const auto found = features.find(hole);
+      if (found == features.end()) continue;
+      outlines.push_back(found->second);
+      positions += PositionsIn(found->second->at("geometry").at("coordinates"));
+    }
+    if (outlines.empty() || positions > room) {
+      result.without.insert(result.without.end(), fill.holes.begin(), fill.holes.end());
+      continue;
+    }
+    room -= positions;
+    for (const Json* feature : outlines) {
+      result.outlines[absl::StrCat(HoleIn(*feature).get<int64_t>())] = OutlineOf(*feature);
+    }
+  }
+  return result;
 }
 
 // Whether `level_m` is that of a decision. What the run found at the shore has a standard deviation.
@@ -139,10 +192,11 @@ absl::StatusOr<Json> PageReview(const Json& report, const std::string& holes, co
   const size_t count = FillsToDecideOn(report);
   for (size_t i = 0; i < std::min(count, kMostReviewItems); ++i) items.push_back(rows[i]);
   const std::map<int64_t, int64_t> item_of = ItemsOfHoles(items);
-  const std::set<int64_t> others = OthersOf(report, item_of);
-  TILEMEND_ASSIGN_OR_RETURN(const Json geojson, ReadHoles(holes, item_of, others, stop));
+  const std::vector<OtherFill> others = OthersOf(report, item_of);
+  TILEMEND_ASSIGN_OR_RETURN(const Json geojson, ReadHoles(holes, item_of, HolesOf(others), stop));
   TILEMEND_ASSIGN_OR_RETURN(std::string outlines, Packed(OutlinesOf(geojson, item_of)));
-  TILEMEND_ASSIGN_OR_RETURN(std::string of_others, Packed(OutlinesOfOthers(geojson, others)));
+  const OtherOutlines other_outlines = OutlinesOfOthers(geojson, others);
+  TILEMEND_ASSIGN_OR_RETURN(std::string of_others, Packed(other_outlines.outlines));
   const Json decided = EarlierOf(geojson);
   TILEMEND_ASSIGN_OR_RETURN(std::string earlier, Packed(decided));
   return Json{{"count", count},
@@ -152,6 +206,7 @@ absl::StatusOr<Json> PageReview(const Json& report, const std::string& holes, co
               {"scene", Member(geojson, kSceneMember)},
               {"outlines", std::move(outlines)},
               {"others", std::move(of_others)},
+              {"without_outline", other_outlines.without},
               {"decided", decided.size()},
               {"earlier", std::move(earlier)}};
 }

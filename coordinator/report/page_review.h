@@ -14,8 +14,9 @@ namespace tilemend {
 
 // Fills of less doubt are not in the page's queue: it holds the outline of each.
 inline constexpr size_t kMostReviewItems = 1000;
-// Of the other holes with a fill it has the outlines of at most so many: those that the table of report.html lists.
-inline constexpr size_t kMostOutlinedHoles = 20000;
+// Of the outlines of other fills, together. Packed, each takes some 9 bytes: a page is at most 5 MB longer, and a
+// browser unpacks 12 MB.
+inline constexpr size_t kMostOutlinePositions = 500'000;
 
 // How many fills wait for a decision: the rows of the report's `review`. 0 if it has none.
 size_t FillsToDecideOn(const nlohmann::ordered_json& report);
@@ -28,7 +29,12 @@ size_t FillsToDecideOn(const nlohmann::ordered_json& report);
 //   scene     that `holes` is of (scene_member.h); null if it does not say
 //   outlines  base64 of gzip of an object: by hole number of the item a list of {hole, cluster, geometry}, one of each
 //             of its holes that has a polygon
-//   others    the same of an object: by number of another hole with a fill its {hole, cluster, geometry}
+//   others    the same of an object: by number of another hole with a fill its {hole, cluster, geometry}. Of holes that
+//             the page lists (kMostListedHoles), those of one cluster together, the largest first, while their
+//             positions are at most kMostOutlinePositions
+//   without_outline
+//             numbers of the other holes with a fill that the page lists and of whose cluster none is in `others`: they
+//             cannot be decided on
 //   decided   count of `earlier`
 //   earlier   the same of a list: the features of decisions that were made before, as they were made. The next file
 //             has them too

@@ -61,9 +61,10 @@ std::string NameOf(const WaterAnswer& answer) {
 std::vector<std::string> PlanWarnings(const Plan& plan) {
   std::vector<std::string> warnings;
   std::vector<std::string> doubts, doubts_of_decisions;
-  size_t not_taken = 0, decisions_not_taken = 0;
+  size_t polygons = 0, not_taken = 0, decisions_not_taken = 0;
   for (const WaterAnswer& answer : plan.water_answers) {
     const bool is_decision = answer.decision != ReviewDecision::kNone;
+    polygons += is_decision ? 0 : 1;
     if (!answer.doubt.empty()) {
       std::vector<std::string>& list = is_decision ? doubts_of_decisions : doubts;
       list.push_back(absl::StrFormat("%s: %s", NameOf(answer), answer.doubt));
@@ -74,8 +75,8 @@ std::vector<std::string> PlanWarnings(const Plan& plan) {
                                        answer.taken ? "taken for smaller holes only" : "not taken", answer.reason));
   }
   if (not_taken > kMostAnswers) {
-    warnings.push_back(absl::StrFormat("%d of %d polygons are not taken; the report lists all (water_areas)", not_taken,
-                                       plan.water_answers.size()));
+    warnings.push_back(
+        absl::StrFormat("%d of %d polygons are not taken; the report lists all (water_areas)", not_taken, polygons));
   }
   if (decisions_not_taken > kMostDecisions) {
     warnings.push_back(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 #include "coordinator/report/rounded.h"
 
@@ -15,13 +16,16 @@ double RimHeight(const Plan& plan, const PlannedHole& hole) {
 
 nlohmann::ordered_json RimHeightsJson(const Plan& plan, const PlannedHole& hole) {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-  for (const RimSegment& s : hole.segments) {
-    if (s.seam) continue;
+  const auto add = [&](const RimSegment& s) {
     for (const int32_t v : {s.from, s.to}) {
-      lowest = std::min(lowest, plan.vertices[static_cast<size_t>(v)].position.z());
-      highest = std::max(highest, plan.vertices[static_cast<size_t>(v)].position.z());
+      const PlanVertex& vertex = plan.vertices[static_cast<size_t>(v)];
+      if (vertex.index < 0) continue;
+      lowest = std::min(lowest, vertex.position.z());
+      highest = std::max(highest, vertex.position.z());
     }
-  }
+  };
+  std::ranges::for_each(hole.segments, add);
+  for (const std::vector<RimSegment>& region : hole.own_regions) std::ranges::for_each(region, add);
   if (lowest > highest) return nullptr;
   return {Rounded(lowest, kMillimetres), Rounded(highest, kMillimetres)};
 }

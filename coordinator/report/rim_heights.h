@@ -11,7 +11,8 @@ namespace tilemend {
 // Metres: the mean of the boundary. Precondition: it has segments. Linear.
 double RimHeight(const Plan& plan, const PlannedHole& hole);
 
-// Metres, [lowest, highest]: of the boundary's original vertices. null if all of it are seams. Linear.
+// Metres, [lowest, highest]: of the original vertices on the boundary, and on those of the regions that tiles fill for
+// themselves. null if there is none. Linear.
 nlohmann::ordered_json RimHeightsJson(const Plan& plan, const PlannedHole& hole);
 
 }  // namespace tilemend

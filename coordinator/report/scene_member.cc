@@ -2,10 +2,13 @@
 
 #include <cmath>
 #include <filesystem>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "absl/strings/str_join.h"
 #include "common/util/object_store.h"
 #include "common/util/text.h"
 #include "coordinator/report/json_access.h"
@@ -30,10 +33,16 @@ bool AreNear(const Json& a, const Json& b) {
   return std::abs(Number(a[0]) - Number(b[0])) <= kSamePlace && std::abs(Number(a[1]) - Number(b[1])) <= kSamePlace;
 }
 
-bool AreSame(const Json& a, const Json& b) {
-  return Member(a, "name") == Member(b, "name") && Member(a, "crs") == Member(b, "crs") &&
-         AreNear(Member(a, "grid_corner"), Member(b, "grid_corner")) &&
-         AreNear(Member(a, "cell_size"), Member(b, "cell_size"));
+constexpr char kFolderName[] = "the name of the scene's folder";
+
+// What differs, in the words of a message; empty: nothing.
+std::vector<std::string> DifferencesOf(const Json& a, const Json& b) {
+  std::vector<std::string> differences;
+  if (Member(a, "name") != Member(b, "name")) differences.emplace_back(kFolderName);
+  if (Member(a, "crs") != Member(b, "crs")) differences.emplace_back("the CRS");
+  if (!AreNear(Member(a, "grid_corner"), Member(b, "grid_corner"))) differences.emplace_back("the corner of the grid");
+  if (!AreNear(Member(a, "cell_size"), Member(b, "cell_size"))) differences.emplace_back("the cell size");
+  return differences;
 }
 
 std::string PairText(const Json& pair, const char* between) {
@@ -65,11 +74,15 @@ absl::Status CheckSceneMember(const std::string& bytes, const std::string& file,
   };
   const Json json = Json::parse(bytes, without_lists, false);
   const Json &other = Member(json, kSceneMember), own = SceneMemberOf(scene);
-  if (!other.is_object() || AreSame(other, own)) return absl::OkStatus();
-  return absl::InvalidArgumentError(
-      absl::StrCat(file, ": its decisions are on scene ", SceneText(other), ", not on ", SceneText(own),
-                   "; give the file of this scene, or, if only its name changed, take the member ", kSceneMember,
-                   " out of the file"));
+  if (!other.is_object()) return absl::OkStatus();
+  const std::vector<std::string> differences = DifferencesOf(other, own);
+  if (differences.empty()) return absl::OkStatus();
+  std::string text = absl::StrCat(file, ": its decisions are on scene ", SceneText(other), ", not on ", SceneText(own),
+                                  "; different: ", absl::StrJoin(differences, ", "), "; give the file of this scene");
+  if (differences == std::vector<std::string>{kFolderName}) {
+    absl::StrAppend(&text, ", or, if this is the same scene, take the member ", kSceneMember, " out of the file");
+  }
+  return absl::InvalidArgumentError(text);
 }
 
 }  // namespace tilemend

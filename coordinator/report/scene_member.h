@@ -21,9 +21,9 @@ inline constexpr char kSceneMember[] = "tilemend_scene";
 //   cell_size    [x, y], metres
 nlohmann::ordered_json SceneMemberOf(const Scene& scene);
 
-// kInvalidArgument, naming both scenes, if the file with these bytes has the member and it is of another scene: if one
-// of the four values differs. OK if it is no JSON, or does not have the member. `file` names it. Cost O(bytes); no list
-// of the file is kept in memory.
+// kInvalidArgument, naming both scenes and what differs, if the file with these bytes has the member and it is of
+// another scene: if one of the four values differs. OK if it is no JSON, or does not have the member. `file` names it.
+// Cost O(bytes); no list of the file is kept in memory.
 absl::Status CheckSceneMember(const std::string& bytes, const std::string& file, const Scene& scene);
 
 }  // namespace tilemend

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "coordinator/report/page_holes.h"
 #include "coordinator/report/planned_holes.h"
 
 namespace tilemend {

@@ -3,7 +3,6 @@
 #ifndef TILEMEND_COORDINATOR_REPORT_SCENE_SIGHT_H_
 #define TILEMEND_COORDINATOR_REPORT_SCENE_SIGHT_H_
 
-#include <cstddef>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -17,9 +16,6 @@
 #include "coordinator/plan/types/plan_types.h"
 
 namespace tilemend {
-
-// More holes than this are not listed one by one.
-inline constexpr size_t kMostListedHoles = 20000;
 
 // Thread-safe. Holds some 20 bytes a cell and the paths.
 class SceneSight {

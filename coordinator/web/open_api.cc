@@ -114,7 +114,17 @@ constexpr char kOwnSchemas[] = R"({
     "scene": {"type": "string"}, "out": {"type": "string"}, "date": {"type": "string"},
     "changed_options": {"type": "object", "description": "options of the job that are not the defaults, by name"},
     "look_at": {"type": "array", "items": {"type": "object"}},
-    "review": {"type": "object"}}},
+    "review": {"type": "object", "properties": {
+      "count": {"type": "integer", "description": "rows of the report's review"},
+      "items": {"type": "array", "items": {"type": "object"}, "description": "the first 1000 of these rows"},
+      "z": {"type": "number", "nullable": true, "description": "the height of the levels' zero; null if the scene cannot be read"},
+      "crs": {"type": "object", "nullable": true, "description": "of all polygons here, as holes.geojson has it"},
+      "scene": {"type": "object", "nullable": true, "description": "tilemend_scene of holes.geojson, for the file of decisions"},
+      "outlines": {"type": "string", "description": "base64 of gzip of JSON: by hole of an item a list of {hole, cluster, geometry}"},
+      "others": {"type": "string", "description": "the same of an object: by number of each other hole with a fill {hole, cluster, geometry}"},
+      "without_outline": {"type": "array", "items": {"type": "integer"}, "description": "holes with a fill that have no outline here, so that they cannot be decided on"},
+      "decided": {"type": "integer", "description": "features in earlier"},
+      "earlier": {"type": "string", "description": "the same of a list: features of the decisions of earlier rounds"}}}}},
   "Log": {"type": "object", "properties": {"lines": {"type": "array", "items": {"type": "string"}}}}
 })";
 

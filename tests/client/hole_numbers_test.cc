@@ -108,6 +108,19 @@ TEST(HoleNumbersTest, WithoutHeightsTheHoleFromAbove) {
   EXPECT_EQ(numbers.At({0, 0}, {41, 45, 500}), 4);
 }
 
+// A hole of which no height is known is at no height for sure.
+TEST(HoleNumbersTest, TheHoleOfKnownHeightBeforeOneOfUnknownHeight) {
+  for (const int known : {3, 4}) {
+    const HoleNumbers numbers =
+        NumbersOf({Feature(3, "+000_+000", "filled", "Polygon", Json::array({Square(0, 0, 20)})),
+                   Feature(4, "+000_+000", "filled", "Polygon", Json::array({Square(0, 0, 20)}))},
+                  Json::array({Row(known, {1, 2}), Row(7 - known, Json())}));
+    EXPECT_EQ(numbers.At({0, 0}, {10, 10, 1.5}), known);
+    EXPECT_EQ(numbers.At({0, 0}, {10, 10, 5}), known) << "a fill may rise so far";
+    EXPECT_EQ(numbers.At({0, 0}, {10, 10, 50}), 7 - known);
+  }
+}
+
 TEST(HoleNumbersTest, NoneWithoutBoundaries) {
   EXPECT_EQ(NumbersOf(Json::array()).At({0, 0}, {0, 0, 0}), std::nullopt);
   EXPECT_EQ(NumbersOf(Json::array({Feature(3, "+000_+000", "filled", "Polygon", Json::array({Square(0, 0, 9)}))}))

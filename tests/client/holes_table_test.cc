@@ -87,6 +87,21 @@ TEST(ReviewTextTest, CountsTheFillsOfTheReportAndLooksAtNoneTwice) {
   EXPECT_THAT(LookAtText(report), HasSubstr("no rim"));
 }
 
+TEST(ReviewTextTest, RowsOfOneClusterBelongTogetherWhicheverHoleNamesThem) {
+  Json report;
+  report["review"] = Json::parse(R"([{"hole": 7, "holes": [7, 8], "area_m2": 300, "doubt_m3": 9.25}])");
+  report["look_at"] = Json::parse(R"([{"hole": 8, "holes": [7, 8], "area_m2": 300, "why": "it is large"}])");
+  EXPECT_THAT(ReviewText(report), HasSubstr("9.2             it is large\n"));
+  EXPECT_EQ(LookAtText(report), "");
+}
+
+TEST(ReviewTextTest, ASmallDoubtIsNotZero) {
+  Json report;
+  report["review"] = Json::parse(R"([{"hole": 7, "doubt_m3": 0.04}, {"hole": 8, "doubt_m3": 0}, {"hole": 9}])");
+  EXPECT_THAT(ReviewText(report), HasSubstr("< 0.1\n"));
+  EXPECT_THAT(ReviewText(report), HasSubstr("  0.0\n"));
+}
+
 TEST(LookAtTextTest, SaysOfHowManyHolesTheAreaIs) {
   Json report;
   report["look_at"].push_back({{"hole", 7},

@@ -109,8 +109,25 @@ def check_second_round(program, folder, chromium, temporary):
         fail(f'the second round changed what the first decided: {first}, {second}')
 
 
+def page_without_outline(program, out, hole):
+    """The page as it is if holes.geojson has no outline of the hole."""
+    path = os.path.join(out, 'holes.geojson')
+    with open(path) as file:
+        whole = file.read()
+    cut = json.loads(whole)
+    cut['features'] = [f for f in cut['features'] if f['properties'].get('hole') != hole]
+    with open(path, 'w') as file:
+        json.dump(cut, file)
+    done = run(program, 'report', out, '--html')
+    if done.returncode:
+        fail(done.stdout)
+    with open(path, 'w') as file:
+        file.write(whole)
+
+
 def check_other_fill(program, folder, chromium, temporary):
-    """A hole with a fill that is not in the queue is decided on from the table of holes, where its crossings are."""
+    """A hole with a fill that is not in the queue is decided on from the table of holes, where its crossings are. A hole
+    without an outline is not."""
     scene, out = os.path.join(temporary, 'scene'), os.path.join(temporary, 'other')
     done = run(program, 'run', scene, '--out', out)
     if done.returncode:
@@ -119,14 +136,16 @@ def check_other_fill(program, folder, chromium, temporary):
     with open(path) as file:
         report = json.load(file)
     row = report['per_hole'][-1]
-    row['crossings'] = 5
+    row |= {'crossings': 5, 'doubt_m3': 0.04,
+            'water': {'taken_for': 'lake', 'level_m': 1.25, 'sigma_m': 0.125, 'reason': 'its rim is level'}}
+    other = report['per_hole'][0]['id']  # all are closed, and so in no cluster
     report['review'] = []
     with open(path, 'w') as file:
         json.dump(report, file)
+    page_without_outline(program, out, other)
     shutil.copy(os.path.join(HERE, 'decide_hole.mjs'), folder)
     marks = os.path.join(folder, 'other.geojson')
-    for command in ((program, 'report', out, '--html'),
-                    ('node', 'decide_hole.mjs', os.path.join(out, 'report.html'), chromium, marks, str(row['id'])),
+    for command in (('node', 'decide_hole.mjs', os.path.join(out, 'report.html'), chromium, marks, str(row['id']), str(other)),
                     (program, 'run', scene, '--out', out, '--decisions', marks)):
         done = run(*command, cwd=folder)
         if done.returncode:

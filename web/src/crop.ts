@@ -19,7 +19,7 @@ const linear = Float32Array.from({ length: 256 }, (_, i) => {
 });
 
 // An element, not a bitmap: the page's load event waits for elements.
-function imageOf(jpeg: ArrayBuffer): Promise<HTMLImageElement> {
+function imageOf(jpeg: Uint8Array<ArrayBuffer>): Promise<HTMLImageElement> {
   return new Promise((resolve, reject) => {
     const image = new Image(), url = URL.createObjectURL(new Blob([jpeg], { type: 'image/jpeg' }));
     image.onload = () => {
@@ -34,7 +34,7 @@ function imageOf(jpeg: ArrayBuffer): Promise<HTMLImageElement> {
   });
 }
 
-async function textureOf(jpeg: ArrayBuffer): Promise<Texture | null> {
+async function textureOf(jpeg: Uint8Array<ArrayBuffer>): Promise<Texture | null> {
   if (jpeg.byteLength === 0) return null;
   const texture = new Texture(await imageOf(jpeg));
   texture.colorSpace = SRGBColorSpace;
@@ -47,7 +47,7 @@ async function textureOf(jpeg: ArrayBuffer): Promise<Texture | null> {
 // Waits for nothing but the load event of its image. So pictures that are begun while the page is parsed are all there
 // when the page is loaded, which is when a browser without a window prints it.
 export async function readCrop(base64: string): Promise<Crop> {
-  const buffer = gunzipSync(bytesOf(base64)).slice().buffer, view = new DataView(buffer);
+  const bytes = gunzipSync(bytesOf(base64)), view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (view.getUint32(0, false) !== 0x544d4331) throw new Error('not a picture'); // "TMC1"
   const [vertices, triangles, jpegBytes] = [4, 8, 12].map((at) => view.getUint32(at, true)) as [number, number, number];
   const bounds = Array.from({ length: 6 }, (_, i) => view.getFloat64(16 + 8 * i, true));
@@ -62,7 +62,7 @@ export async function readCrop(base64: string): Promise<Crop> {
   for (let i = 0; i < vertices; ++i, at += 4) {
     for (let k = 0; k < 3; ++k) colours[3 * i + k] = linear[view.getUint8(at + k)]!;
   }
-  const states = new Uint8Array(buffer, at, triangles);
+  const states = bytes.subarray(at, at + triangles);
   at = Math.ceil((at + triangles) / 4) * 4;
   const corners: number[][] = [[], [], []];
   for (let t = 0; t < triangles; ++t, at += 12) {
@@ -77,7 +77,7 @@ export async function readCrop(base64: string): Promise<Crop> {
     return result;
   };
   const [kept, added] = corners as [number[], number[], number[]];
-  const texture = await textureOf(buffer.slice(at, at + jpegBytes));
+  const texture = await textureOf(bytes.slice(at, at + jpegBytes));
   return {
     parts: (['kept', 'added', 'cleared'] as Role[]).map((role, i) => ({ role, geometry: geometry(corners[i]!), texture })),
     ...sphereOf(positions, added.length > 0 ? added : kept) };

@@ -19,6 +19,8 @@ export interface Hole {
   cluster: number | null;   // holes of one are decided on together; -1 or null: of none
   decision: string;
   reason: string;
+  taken_for?: string;        // of holes that were judged: what the hole was taken for,
+  rim_level?: number | null; // and the level of its rim, if it tells one
   planned?: boolean;    // it is not known yet what becomes of it
 }
 
@@ -41,6 +43,11 @@ export interface LookAt {
   why?: string;
 }
 
+// All holes that a row is about. Rows about one cluster may be named by different holes of it.
+export function holesOf({ hole, holes }: { hole?: number; holes?: number[] }): number[] {
+  return [...new Set([...hole === undefined ? [] : [hole], ...holes ?? []])];
+}
+
 // Holes that are decided on together, and what they were taken for.
 export interface ReviewItem {
   hole: number;
@@ -51,7 +58,7 @@ export interface ReviewItem {
   level_m?: number;
   sigma_m?: number;
   reason: string;
-  doubt_m: number | null; // null: it is not in doubt
+  doubt_m: number | null; // null: not known
   doubt_m3: number | null;
   crossings?: number;
 }
@@ -63,7 +70,8 @@ export interface Review {
   crs: unknown;
   scene?: unknown;  // that the outlines are of, for the file
   outlines: string; // gzip, as base64: by hole of the item its Outlines
-  others: string;   // the same: by hole the Outline of each other hole with a fill
+  others: string;   // the same: by hole the Outline of each other hole with a fill, the largest fills first
+  without_outline?: number[]; // holes with a fill that have none here, nor has any of their cluster
   decided?: number; // count of `earlier`
   earlier: string;  // the same: the features of decisions that were made before
 }

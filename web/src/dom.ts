@@ -42,6 +42,11 @@ export function areaText(area: number | null | undefined, isMesh = false): strin
   return isMesh ? String(Number(area.toPrecision(2))) : '< 0.1';
 }
 
+// The same of a volume; "" if it is not known.
+export function volumeText(volume: number | null | undefined): string {
+  return typeof volume === 'number' ? areaText(volume) : '';
+}
+
 export function counted(count: number, noun: string): string {
   return `${number(count)} ${noun}${count === 1 ? '' : 's'}`;
 }

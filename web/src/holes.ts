@@ -1,6 +1,6 @@
 // The table of holes: sorted by any column, filtered by text, outcome and cell.
 import type { Hole, Level, Report } from './data';
-import { areaText, counted, el, number } from './dom';
+import { areaText, counted, el, number, volumeText } from './dom';
 
 const STEP = 100; // rows that are shown at once
 
@@ -34,7 +34,7 @@ const COLUMNS: Column[] = [
   { title: 'outcome', isNumber: false, text: outcomeOf, key: (h) => (h.filled || h.planned ? outcomeOf(h) : '') },
   { title: 'level [m]', label: 'level', isNumber: true, text: (h) => levelText(h.level), key: (h) => firstLevel(h.level) },
   { title: 'sigma [m]', label: 'sigma', isNumber: true, text: (h) => number(h.sigma, 3), key: (h) => h.sigma ?? -Infinity },
-  { title: 'doubt [m\u00b3]', label: 'doubt', isNumber: true, text: (h) => number(h.doubt, 1), key: (h) => h.doubt ?? -Infinity },
+  { title: 'doubt [m\u00b3]', label: 'doubt', isNumber: true, text: (h) => volumeText(h.doubt), key: (h) => h.doubt ?? -Infinity },
   { title: 'crossings', label: 'crossings', isNumber: true, isOptional: true, text: (h) => number(h.crossings), key: (h) => h.crossings ?? 0 },
   { title: 'reason', isNumber: false, text: (h) => h.reason, key: (h) => h.reason },
 ];
@@ -65,8 +65,10 @@ function least(name: string): HTMLInputElement {
   return el('input', { type: 'number', min: '0', step: 'any', placeholder: name, 'aria-label': name, class: 'least' });
 }
 
-// `choose` hears of a hole whose row was chosen, `decide` of one with a fill whose button was.
-export function holesTable(rows: HoleRows, choose?: (hole: Hole) => void, decide?: (hole: Hole) => void): HolesTable {
+// `choose` hears of a hole whose row was chosen, `decide` of one with a fill whose button was: those that `canDecide` have
+// one.
+export function holesTable(rows: HoleRows, choose?: (hole: Hole) => void, decide?: (hole: Hole) => void,
+  canDecide: (hole: Hole) => boolean = () => true): HolesTable {
   let report = rows;
   let sorted: { column: number; down: boolean } | null = null;
   let shown = STEP;
@@ -91,7 +93,7 @@ export function holesTable(rows: HoleRows, choose?: (hole: Hole) => void, decide
   const head = el('tr'), body = el('tbody');
   const more = el('button', { type: 'button', click: () => { shown += 10 * STEP; update(); } }, 'show more');
 
-  const decideButton = (hole: Hole): (Node | string)[] => (!decide || !hole.filled || hole.planned ? [] : [' ', el('button', {
+  const decideButton = (hole: Hole): (Node | string)[] => (!decide || !hole.filled || hole.planned || !canDecide(hole) ? [] : [' ', el('button', {
     type: 'button', class: 'decidehole', 'aria-label': `decide on hole ${hole.id}`,
     click: (event) => { event.stopPropagation(); decide(hole); } }, 'decide')]);
   const rest = el('p', { class: 'quiet onlyprint' });

@@ -180,7 +180,7 @@ export class JobView {
       const button = el('button', { type: 'button', click: () => this.showPicture(cell, hole, button) }, 'show before and after');
       parts.push(button);
     }
-    if (hole?.filled && !this.holes?.planned || hole?.decision) {
+    if (hole?.filled && !this.holes?.planned && (this.queue?.canDecide(hole) ?? true) || hole?.decision) {
       parts.push(el('button', { type: 'button', class: 'toreview', click: () => void this.showReview(hole.decision ? null : hole) }, hole.decision ? 'see the decisions' : 'decide on it in the review queue'));
     }
     this.card?.dispose();

@@ -1,5 +1,5 @@
 // report.html: puts the parts of the page together.
-import { type DetailLevel, type Hole, type LookAt, type Report, type Water, readReport } from './data';
+import { type DetailLevel, type Hole, holesOf, type LookAt, type Report, type Water, readReport } from './data';
 import { decisionsCommand } from './command';
 import { areaText, counted, el, holesText, number } from './dom';
 import { areaOf, holesTable, isOfMesh, levelText } from './holes';
@@ -10,8 +10,8 @@ import { warningList } from './warnings';
 
 // The places to look at that are not in the review queue.
 function otherLooks(report: Report): LookAt[] {
-  const queued = new Set(report.review?.items.map((item) => item.hole));
-  return (report.look_at ?? []).filter((look) => !queued.has(look.hole ?? -1));
+  const queued = new Set(report.review?.items.flatMap(holesOf));
+  return (report.look_at ?? []).filter((look) => !holesOf(look).some((hole) => queued.has(hole)));
 }
 
 // The program's verdict: what does not count makes no output partial.
@@ -91,7 +91,7 @@ function build(report: Report): HTMLElement[] {
   const review = report.review, hasFills = report.per_hole.some((hole) => hole.filled);
   const isReviewed = review && (hasFills || review.items.length > 0 || (review.decided ?? 0) > 0);
   const queue = isReviewed ? reviewQueue(report, review, report.per_hole, decisionsCommand(report)) : null;
-  const holes = holesTable(report, undefined, queue?.decide);
+  const holes = holesTable(report, undefined, queue?.decide, queue?.canDecide);
   const parts: HTMLElement[] = [
     el('header', {}, el('h1', {}, 'tilemend report'),
       el('p', { class: 'quiet' }, [report.scene, report.date, report.version && `release ${report.version}`].filter(Boolean).join(' \u00b7 ')),

@@ -1,7 +1,7 @@
 // The review queue: what a reviewer decides on fills in doubt. It is kept in the browser until it is downloaded.
 import { copyable } from './command';
-import type { Hole, LookAt, Outline, Report, Review, ReviewItem } from './data';
-import { areaText, counted, el, holesText, number } from './dom';
+import { type Hole, holesOf, type LookAt, type Outline, type Report, type Review, type ReviewItem } from './data';
+import { areaText, counted, el, holesText, number, volumeText } from './dom';
 import { unzip } from './unzip';
 
 const STEP = 50; // rows that are shown at once
@@ -144,9 +144,11 @@ function itemOf(hole: Hole, holes: Hole[]): ReviewItem {
   const members = cluster < 0 ? [hole] : holes.filter((h) => h.filled && h.cluster === cluster);
   const largest = members.reduce((most, h) => ((h.area ?? 0) > (most.area ?? 0) ? h : most), hole);
   const sum = (of: (h: Hole) => number | null) => members.reduce((all, h) => all + (of(h) ?? 0), 0);
-  const level = typeof largest.level === 'number' ? { level_m: largest.level } : {};
-  return { hole: largest.id, holes: members.map((h) => h.id), cell: largest.cell, area_m2: sum((h) => h.area), taken_for: largest.method,
-    ...level, reason: largest.reason, doubt_m: null, doubt_m3: null, crossings: sum((h) => h.crossings) };
+  const level = [largest.rim_level, largest.level].find((known) => typeof known === 'number'), area = sum((h) => h.area);
+  const doubt = members.some((h) => typeof h.doubt === 'number') ? sum((h) => h.doubt) : null;
+  return { hole: largest.id, holes: members.map((h) => h.id), cell: largest.cell, area_m2: area, taken_for: largest.taken_for || largest.method,
+    ...(level === undefined ? {} : { level_m: level }), ...(typeof largest.sigma === 'number' ? { sigma_m: largest.sigma } : {}),
+    reason: largest.reason, doubt_m: doubt === null || area === 0 ? null : doubt / area, doubt_m3: doubt, crossings: sum((h) => h.crossings) };
 }
 
 // The columns of the queue, but for the last one, which has the decision.
@@ -159,7 +161,7 @@ const COLUMNS: Column[] = [
   { title: 'taken for', isNumber: false, text: ({ item }) => item.taken_for },
   { title: 'level of the rim \u00b1 sigma [m]', isNumber: true, text: ({ item, absolute }) => rimText(item, absolute) },
   { title: 'doubt [m]', isNumber: true, text: ({ item }) => number(item.doubt_m, 3) },
-  { title: 'doubt [m\u00b3]', isNumber: true, text: ({ item }) => number(item.doubt_m3, 1) },
+  { title: 'doubt [m\u00b3]', isNumber: true, text: ({ item }) => volumeText(item.doubt_m3) },
   { title: 'crossings', isNumber: true, text: ({ item }) => (item.crossings ? number(item.crossings) : '') },
   { title: 'because', isNumber: false, class: 'because', text: ({ item, why }) => [item.reason, why].filter(Boolean).join('; ') },
 ];
@@ -215,25 +217,28 @@ class Row {
 
 export interface ReviewQueue {
   element: HTMLElement;
-  decide: (hole: Hole) => void; // focuses its row, which a hole that is not in the queue gets
+  canDecide: (hole: Hole) => boolean; // false: there is no outline for the file
+  decide: (hole: Hole) => void; // focuses its row, which a hole that is not in the queue gets if it can be decided on
 }
 
-// The marks are those of this scene, date and folder. `holes`: those of the table, each of which can be decided on.
+// The marks are those of this scene, date and folder. `holes`: those of the table, which can be decided on as well.
 // `command` makes use of the file, and `hint` says how.
 export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 'out'>, review: Review, holes: Hole[],
   command: string | null = null, hint = ''): ReviewQueue {
   const marks = new Marks(['tilemend decisions', report.scene ?? '', report.date ?? '', ...(report.out ? [report.out] : [])].join(' '));
-  const reasons = new Map((report.look_at ?? []).map((look: LookAt) => [look.hole, look.why ?? '']));
+  const reasons = new Map((report.look_at ?? []).flatMap((look: LookAt) => holesOf(look).map((hole) => [hole, look.why ?? ''])));
+  const withoutOutline = new Set(review.without_outline);
   const hasCrossings = [...review.items, ...holes].some(({ crossings }) => crossings);
   const columns = COLUMNS.filter(({ title }) => title !== 'crossings' || hasCrossings);
   const rowOf = new Map<number, Row>(); // by each hole of a row
   const makeRow = (item: ReviewItem, rank: string): Row => {
     const absolute = item.level_m === undefined || review.z === null ? null : item.level_m + review.z;
-    const row = new Row(item, rank, reasons.get(item.hole) ?? '', absolute, columns, marks, () => tell());
+    const why = holesOf(item).map((hole) => reasons.get(hole)).find(Boolean) ?? '';
+    const row = new Row(item, rank, why, absolute, columns, marks, () => tell());
     for (const hole of item.holes) rowOf.set(hole, row);
     return row;
   };
-  const rows = review.items.map((item, i) => makeRow(item, String(i + 1))), added: Row[] = []; // of holes in no doubt
+  const rows = review.items.map((item, i) => makeRow(item, String(i + 1))), added: Row[] = []; // of fills that are not in the queue
   const allRows = (): Row[] => [...rows, ...added];
   const body = el('tbody', {}), status = el('span', { class: 'quiet', role: 'status' });
   const undone = new Set<Earlier>(), earlierBox = el('div', {});
@@ -269,10 +274,10 @@ export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 
 
   function tell(): void {
     const bad = allRows().find((row) => !row.isGood);
-    const more = added.filter((row) => marks.get(row.hole)).length, decided = rows.filter((row) => marks.get(row.hole)).length;
+    const othersDecided = added.filter((row) => marks.get(row.hole)).length, decided = rows.filter((row) => marks.get(row.hole)).length;
     const all = review.count > review.items.length ? ` (of ${number(review.count)} in doubt the ${number(review.items.length)} first)` : '';
     const ofQueue = rows.length > 0 ? `${number(decided)} of ${counted(rows.length, 'fill')}${all} decided` : '';
-    const ofOthers = more > 0 ? `${counted(more, 'other fill')} decided` : '';
+    const ofOthers = othersDecided > 0 ? `${counted(othersDecided, 'other fill')} decided` : '';
     status.textContent = bad ? `The level of hole ${bad.hole} is no number.` : [ofQueue, ofOthers, marks.keeps ? '' : 'this browser does not keep decisions'].filter(Boolean).join('; ');
     if (undone.size > 0 && !bad) status.textContent += `${status.textContent ? '; ' : ''}${counted(undone.size, 'earlier decision')} undone`;
     download.disabled = (marks.size === 0 && undone.size === 0) || bad !== undefined;
@@ -326,7 +331,13 @@ export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 
     box, more, earlierBox);
   if (review.decided) void readEarlier().then((earlier) => { earlierBox.replaceChildren(earlierTable(groupsOf(earlier), undone, tell)); });
   marks.listen(queue, () => { addMarked(); allRows().forEach((row) => row.show()); tell(); });
+  const canDecide = (hole: Hole): boolean => rowOf.has(hole.id) || !withoutOutline.has(hole.id);
   const decide = (hole: Hole) => {
+    if (!canDecide(hole)) {
+      status.textContent = `Hole ${hole.id} has no outline here, so it cannot be decided on in this page.`;
+      status.scrollIntoView({ block: 'center' });
+      return;
+    }
     const row = rowOf.get(hole.id) ?? add(hole);
     if (!row.element.isConnected) { // below those that are shown
       shown = rows.length;
@@ -335,5 +346,5 @@ export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 
     row.element.scrollIntoView({ block: 'center' });
     row.element.focus();
   };
-  return { element: queue, decide };
+  return { element: queue, canDecide, decide };
 }

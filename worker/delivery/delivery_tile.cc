@@ -221,16 +221,18 @@ DeliveryTile DeliveryOfTree(const TileTree& tile, DeliveryLevels levels, std::sp
 
 absl::StatusOr<DeliveryTile> DeliveryOfObj(std::string_view bytes, const ObjBeside& beside) {
   TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, beside.path, NoFaces::kAccept, FlatFaces::kKeep));
-  const int64_t left_out = obj.textures.lines_and_points;
+  const int64_t short_faces = obj.textures.short_faces, lines_and_points = obj.textures.lines_and_points;
   TILEMEND_ASSIGN_OR_RETURN(const TileLook look, LookWith(beside, obj.textures));
   const ObjMarks marks = MarksOf(obj);
   const TexturedSurface surface = TexturedSurfaceOf(std::move(obj), look);
   DeliveryTile tile;
-  if (left_out > 0) {
-    tile.warnings.push_back(absl::StrCat(Printable(beside.path),
-                                         ": faces with fewer than three corners are not written ",
-                                         "in another format: ", left_out));
-  }
+  const auto warn_of = [&](const char* what, int64_t count) {
+    if (count == 0) return;
+    tile.warnings.push_back(
+        absl::StrCat(Printable(beside.path), ": ", what, " are not written in another format: ", count));
+  };
+  warn_of("faces with fewer than three corners", short_faces);
+  warn_of("lines and points", lines_and_points);
   DeliveryPiece piece;
   for (const TexturedSurface::Group& group : surface.groups) {
     int32_t image = -1;

@@ -58,7 +58,7 @@ struct ObjBeside {
 // One piece of an OBJ tile with these bytes. Material files and images are read from the scene's folder; those that are
 // missing give a warning. Where no material is in force, vertices keep their colours. Faces of the group
 // tilemend_filled are filled. Faces that name a vertex twice are kept; those with fewer than three corners are not,
-// with a warning that counts them. Errors of ParseTexturedObj. O(n log n).
+// nor are lines and points (`l`, `p`), with a warning that counts them. Errors of ParseTexturedObj. O(n log n).
 absl::StatusOr<DeliveryTile> DeliveryOfObj(std::string_view bytes, const ObjBeside& beside);
 
 // Triangles from `first` to the next run's have this colour.

@@ -155,6 +155,29 @@ std::string DoubtOfExtent(ReviewDecision decision, double taken, double under) {
          Number(taken - under) + " m2 of that lie outside it, as the hole goes on there";
 }
 
+// What an area says of a body that it covers some of.
+struct BodyAnswer {
+  const Body* body = nullptr;
+  double share = 0;    // of the body
+  double fit = 0;      // how likely the area was drawn for it
+  std::string reason;  // why the area is not taken for it; "" if it is
+};
+
+// The reason of the body that fits best. Those of the other bodies are doubts of a decision, unless it is taken and
+// about the best body alone.
+void AddReasons(const WaterArea& area, const std::vector<BodyAnswer>& answers, WaterAnswer& answer) {
+  const auto best = std::ranges::max_element(answers, {}, &BodyAnswer::fit);  // the first of equals
+  if (best == answers.end()) return;
+  answer.reason = best->reason;
+  if (answer.decision == ReviewDecision::kNone) return;
+  std::vector<const std::string*> others;
+  for (const BodyAnswer& other : answers) {
+    if (&other != &*best && other.share >= kNoticed && !other.reason.empty()) others.push_back(&other.reason);
+  }
+  if (others.empty() || (answer.reason.empty() && MostLiesIn(area, *best->body))) return;
+  for (const std::string* other : others) AddDoubt(*other, answer);
+}
+
 class Answers {
  public:
   Answers(const std::vector<WaterArea>& areas, const std::optional<PlaneBounds>& scene, Plan& plan,
@@ -182,30 +205,22 @@ class Answers {
       answer.water = areas_[a].water;
       answer.decision = areas_[a].decision;
       if (areas_[a].clear) answer.clear_height = areas_[a].clear_height;
-      double most = -1, taken = 0, under = 0;  // m2
-      const Body* best = nullptr;
-      std::vector<std::string> others;  // why a decision is not on a body that it covers less of
+      double taken = 0, under = 0;  // m2
+      std::vector<BodyAnswer> answers;
       for (const auto& [b, share] : shares_[a]) {
-        std::string reason = WhyNot(static_cast<int32_t>(a), bodies_[b], share);
-        const double covered = share * bodies_[b].area;
-        if (reason.empty()) {
-          answer.holes.insert(answer.holes.end(), bodies_[b].holes.begin(), bodies_[b].holes.end());
-          const Body& body = bodies_[b];
-          const bool decides = body.decided_by == static_cast<int32_t>(a);
-          taken += decides ? body.area : covered;
-          under += body.together && decides ? body.share * body.area : covered;
-        }
+        const Body& body = bodies_[b];
+        const double covered = share * body.area;
         const bool is_decision = answer.decision != ReviewDecision::kNone;
-        if (const double fit = is_decision ? covered * share : covered; fit > most) {
-          std::swap(answer.reason, reason);
-          most = fit;
-          best = &bodies_[b];
-        }
-        if (is_decision && share >= kNoticed && !reason.empty()) others.push_back(std::move(reason));
+        answers.push_back(
+            {&body, share, is_decision ? covered * share : covered, WhyNot(static_cast<int32_t>(a), body, share)});
+        if (!answers.back().reason.empty()) continue;
+        answer.holes.insert(answer.holes.end(), body.holes.begin(), body.holes.end());
+        const bool decides = body.decided_by == static_cast<int32_t>(a);
+        taken += decides ? body.area : covered;
+        under += body.together && decides ? body.share * body.area : covered;
       }
       answer.taken = !answer.holes.empty();
-      const bool is_about_one = answer.reason.empty() && !others.empty() && MostLiesIn(areas_[a], *best);
-      for (const std::string& other : others) AddDoubt(is_about_one ? "" : other, answer);
+      AddReasons(areas_[a], answers, answer);
       answer.is_over_hole = !shares_[a].empty();
       if (!answer.taken) CompleteReason(a, answer);
       AddDoubts(a, taken, under, answer);

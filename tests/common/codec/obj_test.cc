@@ -207,13 +207,22 @@ TEST(ObjTest, FlatFacesAreNoTrianglesUnlessTheyAreKept) {
   const auto left_out = ParseTexturedObj(text, "a.obj");
   ASSERT_TRUE(left_out.ok()) << left_out.status();
   EXPECT_EQ(left_out->file.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}}));
-  EXPECT_EQ(left_out->textures.lines_and_points, 1);
+  EXPECT_EQ(left_out->textures.short_faces, 1);
   const auto kept = ParseTexturedObj(text, "a.obj", NoFaces::kRefuse, FlatFaces::kKeep);
   ASSERT_TRUE(kept.ok()) << kept.status();
   EXPECT_EQ(kept->file.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 0, 1}, {2, 1, 0}, {2, 0, 0}}));
   EXPECT_EQ(kept->textures.corners, (std::vector<Triangle>{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 0, 1}}));
   EXPECT_EQ(kept->textures.runs.at(0).first, 2);
-  EXPECT_EQ(kept->textures.lines_and_points, 1);
+  EXPECT_EQ(kept->textures.short_faces, 1);
+  EXPECT_EQ(kept->textures.lines_and_points, 0);
+}
+
+TEST(ObjTest, LinesAndPointsAreCounted) {
+  const auto obj =
+      ParseTexturedObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\nf 1 2 3\np 1\n# l 1 2\nl 2 \\\n 3\nlod 2\n", "a.obj");
+  ASSERT_TRUE(obj.ok()) << obj.status();
+  EXPECT_EQ(obj->textures.lines_and_points, 3);
+  EXPECT_EQ(obj->textures.short_faces, 0);
 }
 
 TEST(ObjTest, AppendsTexturedFaces) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace tilemend {
 namespace {
 
@@ -49,6 +51,39 @@ TEST(PageHolesTest, RanksThemByTheirDoubtBeforeTheirArea) {
   EXPECT_EQ(holes[0]["decision"], "accept");
   EXPECT_EQ(holes[1]["id"], 1);
   EXPECT_TRUE(holes[2]["doubt"].is_null());
+}
+
+// Else a decision on one of them could cover less than half of the cluster.
+TEST(PageHolesTest, AFilledHoleComesWithItsCluster) {
+  const Json report = Json::parse(R"({"per_hole": [
+      {"id": 0, "area_m2": 1, "outcome": "filled", "cluster": 4},
+      {"id": 1, "area_m2": 7, "outcome": "filled", "cluster": 4},
+      {"id": 2, "area_m2": 8, "outcome": "filled", "cluster": 5},
+      {"id": 3, "area_m2": 2, "outcome": "filled", "cluster": 5},
+      {"id": 4, "area_m2": 3, "outcome": "filled", "cluster": -1},
+      {"id": 5, "area_m2": 9, "outcome": "left", "cluster": 4},
+      {"id": 6, "area_m2": 2, "outcome": "filled", "cluster": -1}]})");
+  const auto ids = [&](size_t most) {
+    std::vector<int> numbers;
+    for (const Json& hole : PageHoles(report, most)) numbers.push_back(hole["id"].get<int>());
+    return numbers;
+  };
+  EXPECT_EQ(ids(1), (std::vector{5}));
+  EXPECT_EQ(ids(2), (std::vector{5, 2, 3})) << "one cluster more at most";
+  EXPECT_EQ(ids(3), (std::vector{5, 2, 3}));
+  EXPECT_EQ(ids(4), (std::vector{5, 2, 1, 3, 0}));
+  EXPECT_EQ(ids(6), (std::vector{5, 2, 1, 4, 3, 0}));
+  EXPECT_EQ(ids(7), (std::vector{5, 2, 1, 4, 3, 6, 0}));
+}
+
+TEST(PageHolesTest, SayWhatTheyWereTakenForIfTheyWereJudged) {
+  const Json report = Json::parse(R"({"per_hole": [
+      {"id": 0, "area_m2": 9, "outcome": "filled", "water": {"taken_for": "level ground", "level_m": 3.5}},
+      {"id": 1, "area_m2": 5, "outcome": "filled"}]})");
+  const Json holes = PageHoles(report, 10);
+  EXPECT_EQ(holes[0]["taken_for"], "level ground");
+  EXPECT_EQ(holes[0]["rim_level"], 3.5);
+  EXPECT_FALSE(holes[1].contains("taken_for"));
 }
 
 TEST(PageHolesTest, HaveTheirCrossingsAndTheirCluster) {

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <random>
 #include <string>
 
 #include "absl/strings/escaping.h"
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
 
 namespace tilemend {
 namespace {
@@ -31,7 +34,7 @@ std::string Holes() {
 }
 
 std::string Unzipped(const Json& base64) {
-  std::string zipped, text(1 << 16, '\0');
+  std::string zipped, text(32 << 20, '\0');
   EXPECT_TRUE(absl::Base64Unescape(base64.get<std::string>(), &zipped));
   z_stream stream{};
   inflateInit2(&stream, 15 + 16);
@@ -79,6 +82,45 @@ TEST(PageReviewTest, OtherHolesWithAFillHaveTheirPolygons) {
   EXPECT_EQ(others["5"]["cluster"], 6);
   EXPECT_EQ(others["5"]["geometry"]["type"], "Polygon");
   EXPECT_EQ((*review)["scene"], Json({{"name", "city"}}));
+  EXPECT_EQ((*review)["without_outline"], Json::array()) << "hole 7 belongs to an item";
+}
+
+// As holes.geojson has it.
+std::string LongOutline(int hole, int cluster, size_t positions) {
+  std::minstd_rand random(static_cast<unsigned>(hole + 1));
+  std::uniform_real_distribution<double> step(0, 0.5);
+  double x = 500000, y = 4100000;
+  std::string ring;
+  for (size_t i = 0; i < positions; ++i) {
+    absl::StrAppendFormat(&ring, "%s[%.3f, %.3f]", i == 0 ? "" : ", ", x += step(random), y += step(random));
+  }
+  return absl::StrCat(R"({"type": "Feature", "properties": {"cluster": )", cluster, R"(, "hole": )", hole,
+                      R"(}, "geometry": {"type": "Polygon", "coordinates": [[)", ring, "]]}}");
+}
+
+TEST(PageReviewTest, OutlinesOfOtherHolesAreBoundedInSize) {
+  constexpr size_t kTenth = kMostOutlinePositions / 10;
+  const auto row = [](int id, int cluster, double area) {
+    return Json{{"id", id}, {"cluster", cluster}, {"area_m2", area}, {"outcome", "filled"}};
+  };
+  const Json report = {
+      {"per_hole",
+       {row(0, -1, 90), row(1, 3, 50), row(2, 3, 50), row(3, -1, 80), row(4, -1, 9), row(5, -1, 7), row(6, -1, 6)}}};
+  const std::string holes =
+      absl::StrCat(R"({"features": [)", LongOutline(0, -1, 4 * kTenth), ",", LongOutline(1, 3, 2 * kTenth), ",",
+                   LongOutline(2, 3, 3 * kTenth), ",", LongOutline(3, -1, 2 * kTenth), ",", LongOutline(4, -1, kTenth),
+                   ",", LongOutline(5, -1, 1), "]}");
+  const auto review = PageReview(report, holes, nullptr);
+  ASSERT_TRUE(review.ok()) << review.status();
+  const Json others = Json::parse(Unzipped((*review)["others"]));
+  EXPECT_TRUE(others.contains("1")) << "its cluster is the largest fill";
+  EXPECT_TRUE(others.contains("2"));
+  EXPECT_TRUE(others.contains("0"));
+  EXPECT_FALSE(others.contains("3")) << "too long for what is left";
+  EXPECT_TRUE(others.contains("4"));
+  EXPECT_FALSE(others.contains("5"));
+  EXPECT_EQ((*review)["without_outline"], Json({3, 5, 6}));
+  EXPECT_LT(review->dump().size(), 10'000'000U);
 }
 
 TEST(FillsToDecideOnTest, CountsTheRowsOfTheQueue) {

@@ -22,6 +22,8 @@ TEST(PlanWarningsTest, TenAreasThatAreNotTakenAreNamedAndTheRestCounted) {
   const auto warnings = PlanWarnings(plan);
   ASSERT_THAT(warnings, SizeIs(11));
   EXPECT_THAT(warnings.back(), HasSubstr("24 of 25 polygons are not taken"));
+  plan.water_answers.emplace_back().decision = ReviewDecision::kOpen;
+  EXPECT_THAT(PlanWarnings(plan).back(), HasSubstr("24 of 25 polygons are not taken"));
 }
 
 TEST(PlanWarningsTest, ADecisionIsNoPolygonForAReader) {

@@ -16,6 +16,14 @@ Plan ThreeVertices() {
   return plan;
 }
 
+// The last one is new.
+Plan WithNewVertex() {
+  Plan plan = ThreeVertices();
+  plan.vertices[0].index = 5;
+  plan.vertices[1].index = 0;
+  return plan;
+}
+
 TEST(RimHeightTest, IsTheMeanOfTheBoundary) {
   PlannedHole hole;
   hole.segments = {{0, 1, false}, {1, 2, true}, {2, 0, true}};
@@ -25,7 +33,17 @@ TEST(RimHeightTest, IsTheMeanOfTheBoundary) {
 TEST(RimHeightsJsonTest, IsTheRangeOfTheOriginalVertices) {
   PlannedHole hole;
   hole.segments = {{0, 1, false}, {1, 2, true}, {2, 0, true}};
-  EXPECT_EQ(RimHeightsJson(ThreeVertices(), hole), Json({-2, 1.25}));
+  EXPECT_EQ(RimHeightsJson(WithNewVertex(), hole), Json({-2, 1.25}));
+  hole.segments = {{0, 1, false}, {1, 2, false}, {2, 0, false}};  // along a tile's own outline
+  EXPECT_EQ(RimHeightsJson(WithNewVertex(), hole), Json({-2, 1.25}));
+}
+
+TEST(RimHeightsJsonTest, HasTheRegionsThatTilesFillForThemselves) {
+  PlannedHole hole;
+  hole.segments = {{0, 2, false}, {2, 0, true}};
+  EXPECT_EQ(RimHeightsJson(WithNewVertex(), hole), Json({1.25, 1.25}));
+  hole.own_regions = {{{1, 2, false}, {2, 1, true}}};
+  EXPECT_EQ(RimHeightsJson(WithNewVertex(), hole), Json({-2, 1.25}));
 }
 
 TEST(RimHeightsJsonTest, IsNotKnownOfSeamsAlone) {

@@ -10,6 +10,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using Json = nlohmann::ordered_json;
 
 Scene CityScene() {
@@ -45,14 +46,23 @@ TEST(SceneMemberTest, AFileOfAnotherSceneIsRefusedByName) {
   crs.crs = "";
   corner.grid.corner.x() += 1;
   size.grid.cell_size.y() = 100;
-  for (const Scene& other : {name, crs, corner, size}) {
+  const auto message_of = [](const Scene& other) {
     const absl::Status refused = CheckSceneMember(FileOf(SceneMemberOf(other)), "d.geojson", CityScene());
     EXPECT_TRUE(absl::IsInvalidArgument(refused)) << other.root;
-  }
-  EXPECT_THAT(std::string(CheckSceneMember(FileOf(SceneMemberOf(name)), "d.geojson", CityScene()).message()),
+    return std::string(refused.message());
+  };
+  const std::string hint = "take the member tilemend_scene out of the file";
+  EXPECT_THAT(message_of(name),
               AllOf(HasSubstr("d.geojson: its decisions are on scene 'harbour' (EPSG:25832, cells of 80 x 80 m from "
                               "499920, 4100000), not on 'city' ("),
-                    HasSubstr("take the member tilemend_scene out of the file")));
+                    HasSubstr("; different: the name of the scene's folder; give the file of this scene, or, if this "
+                              "is the same scene, take the member tilemend_scene out of the file")));
+  EXPECT_THAT(message_of(crs), AllOf(HasSubstr("; different: the CRS; give"), Not(HasSubstr(hint))));
+  EXPECT_THAT(message_of(corner), AllOf(HasSubstr("; different: the corner of the grid; give"), Not(HasSubstr(hint))));
+  EXPECT_THAT(message_of(size), AllOf(HasSubstr("; different: the cell size; give"), Not(HasSubstr(hint))));
+  size.root = name.root;
+  EXPECT_THAT(message_of(size), AllOf(HasSubstr("; different: the name of the scene's folder, the cell size; give"),
+                                      Not(HasSubstr(hint))));
 }
 
 TEST(SceneMemberTest, AFileWithoutTheMemberIsTaken) {

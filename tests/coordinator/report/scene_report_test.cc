@@ -93,12 +93,13 @@ TEST_F(SceneReportTest, OfHolesThatAreLeftTheRimTellsTheHeightAndTheAreaMayNotBe
 
 TEST_F(SceneReportTest, OfHolesThatAreFilledTheRimTellsHowFarItReachesUpAndDown) {
   plan_.upright = true;
-  plan_.vertices.resize(3);
-  plan_.vertices[0].position = {0, 0, 1.25};
-  plan_.vertices[1].position = {4, 0, -2};
-  plan_.vertices[2].position = {4, 4, 9};  // on a seam, whose height is not known yet
+  plan_.vertices.resize(4);
+  plan_.vertices[0] = {{0, 0}, 5, {0, 0, 1.25}};
+  plan_.vertices[1] = {{0, 0}, 6, {4, 0, -2}};
+  plan_.vertices[2].position = {4, 4, 9};  // new ones, whose height is not known yet
+  plan_.vertices[3].position = {4, 8, 9};
   plan_.holes[0].segments = {{0, 1, false}, {1, 2, true}, {2, 0, true}};
-  plan_.holes[1].segments = {{1, 2, true}, {2, 1, true}};
+  plan_.holes[1].segments = {{2, 3, true}, {3, 2, true}};
   plan_.holes[2].segments = {{0, 1, false}, {1, 0, false}};
   const Json rows = Report()["per_hole"];
   EXPECT_EQ(rows[0]["rim_heights_m"], Json({-2, 1.25}));

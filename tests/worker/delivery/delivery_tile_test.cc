@@ -121,7 +121,7 @@ TEST(DeliveryOfObjTest, FlatFacesAreKeptAndWhatIsNoTriangleIsCounted) {
   folder.Write("a.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
   const std::string obj =
       "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nusemtl red\nf 1 1 2\nf 1 4 2\nf 1 2\nusemtl blue\nf 1 2 3\n"
-      "f 1 2 3 3\nf 2\n";
+      "f 1 2 3 3\nf 2\nl 1 2 3\n";
   const auto tile = DeliveryOfObj(obj, {folder.path(), "a.obj", {}, ""});
   ASSERT_TRUE(tile.ok()) << tile.status();
   std::map<int, std::vector<Triangle>> triangles;  // by blue
@@ -131,7 +131,8 @@ TEST(DeliveryOfObjTest, FlatFacesAreKeptAndWhatIsNoTriangleIsCounted) {
   EXPECT_EQ(triangles[0], (std::vector<Triangle>{{0, 0, 1}, {0, 2, 1}}));
   EXPECT_EQ(triangles[255], (std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}, {0, 2, 2}}));
   EXPECT_THAT(tile->warnings, testing::ElementsAre("a.obj: faces with fewer than three corners are not written in "
-                                                   "another format: 2"));
+                                                   "another format: 2",
+                                                   "a.obj: lines and points are not written in another format: 1"));
 }
 
 TEST(DeliveryOfObjTest, VerticesKeepTheirColoursWhereNoMaterialIsInForce) {

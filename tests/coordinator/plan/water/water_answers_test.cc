@@ -181,6 +181,45 @@ TEST_F(WaterAnswersTest, ADecisionOverNoHoleIsNoPolygonOfWater) {
   EXPECT_TRUE(answers[1].is_over_hole);
 }
 
+// A decision that covers 5 % of one hole and 80 % of another, which it decides on.
+TEST_F(WaterAnswersTest, ADecisionIsNotDoubtedForAHoleThatItHardlyCovers) {
+  for (const int32_t decided : {0, 1}) {
+    plan_ = {};
+    for (const int32_t h : {0, 1}) {
+      if (h == decided)
+        AddHole(HoleKind::kClosed, Box(100, 0, 110, 10)).area = 100;
+      else
+        AddHole(HoleKind::kClosed, Box(0, 0, 100, 10)).area = 1000;
+    }
+    plan_.decisions[decided] = 0;
+    WaterArea area{false, {{Box(95, -20, 108, 10)}}};  // most of it lies in neither
+    area.decision = ReviewDecision::kAccept;
+    const auto& answers = Answer({area});
+    EXPECT_THAT(answers[0].holes, ElementsAre(decided));
+    EXPECT_EQ(answers[0].reason, "");
+    EXPECT_THAT(answers[0].doubt, Not(HasSubstr("it covers 5 %"))) << decided;
+  }
+}
+
+// A decision that covers half of a small hole and 5 % of a large one is on neither.
+TEST_F(WaterAnswersTest, ADecisionSaysOfEachHoleThatItCoversWhyItIsNotTaken) {
+  for (const bool is_small_first : {false, true}) {
+    plan_ = {};
+    for (const bool is_small : {is_small_first, !is_small_first}) {
+      if (is_small)
+        AddHole(HoleKind::kClosed, Box(-20, 0, -10, 10)).area = 100;
+      else
+        AddHole(HoleKind::kClosed, Box(0, 0, 1000, 1000)).area = 1e6;
+    }
+    WaterArea area{false, {{Box(-15, 0, 50, 1000)}}};
+    area.decision = ReviewDecision::kAccept;
+    const auto& answers = Answer({area});
+    EXPECT_FALSE(answers[0].taken);
+    EXPECT_THAT(answers[0].reason, HasSubstr("it covers 5 % of the hole at (500, 500)"));
+    EXPECT_THAT(answers[0].doubt, HasSubstr("it covers 50 % of the hole at (-15, 5)"));
+  }
+}
+
 TEST_F(WaterAnswersTest, ASmallHoleDoesNotHideALargeOneThatIsNotTaken) {
   PlannedHole& pond = AddHole(HoleKind::kClosed, Box(0, 0, 1, 1));
   pond.water = 0;
