@@ -33,12 +33,9 @@ bool AreNear(const Json& a, const Json& b) {
   return std::abs(Number(a[0]) - Number(b[0])) <= kSamePlace && std::abs(Number(a[1]) - Number(b[1])) <= kSamePlace;
 }
 
-constexpr char kFolderName[] = "the name of the scene's folder";
-
-// What differs, in the words of a message; empty: nothing.
+// What differs but for the name, in the words of a message; empty: nothing.
 std::vector<std::string> DifferencesOf(const Json& a, const Json& b) {
   std::vector<std::string> differences;
-  if (Member(a, "name") != Member(b, "name")) differences.emplace_back(kFolderName);
   if (Member(a, "crs") != Member(b, "crs")) differences.emplace_back("the CRS");
   if (!AreNear(Member(a, "grid_corner"), Member(b, "grid_corner"))) differences.emplace_back("the corner of the grid");
   if (!AreNear(Member(a, "cell_size"), Member(b, "cell_size"))) differences.emplace_back("the cell size");
@@ -68,21 +65,23 @@ Json SceneMemberOf(const Scene& scene) {
           {"cell_size", {scene.grid.cell_size.x(), scene.grid.cell_size.y()}}};
 }
 
-absl::Status CheckSceneMember(const std::string& bytes, const std::string& file, const Scene& scene) {
+absl::StatusOr<std::string> CheckSceneMember(const std::string& bytes, const std::string& file, const Scene& scene) {
   const auto without_lists = [](int depth, Json::parse_event_t event, const Json&) {
     return depth != 1 || event != Json::parse_event_t::array_start;
   };
   const Json json = Json::parse(bytes, without_lists, false);
   const Json &other = Member(json, kSceneMember), own = SceneMemberOf(scene);
-  if (!other.is_object()) return absl::OkStatus();
+  if (!other.is_object()) return "";
   const std::vector<std::string> differences = DifferencesOf(other, own);
-  if (differences.empty()) return absl::OkStatus();
-  std::string text = absl::StrCat(file, ": its decisions are on scene ", SceneText(other), ", not on ", SceneText(own),
-                                  "; different: ", absl::StrJoin(differences, ", "), "; give the file of this scene");
-  if (differences == std::vector<std::string>{kFolderName}) {
-    absl::StrAppend(&text, ", or, if this is the same scene, take the member ", kSceneMember, " out of the file");
+  if (!differences.empty()) {
+    return absl::InvalidArgumentError(absl::StrCat(file, ": its decisions are on scene ", SceneText(other), ", not on ",
+                                                   SceneText(own), "; different: ", absl::StrJoin(differences, ", "),
+                                                   "; give the file of this scene"));
   }
-  return absl::InvalidArgumentError(text);
+  if (Member(other, "name") == Member(own, "name")) return "";
+  return Printable(absl::StrCat(file, ": its decisions are on a scene in folder '", Text(Member(other, "name")),
+                                "', and this one is in '", Text(Member(own, "name")),
+                                "'; they have the same grid; if it is another scene, give the file of this one"));
 }
 
 }  // namespace tilemend

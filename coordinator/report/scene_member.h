@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "absl/status/status.h"
+#include "absl/status/statusor.h"
 #include "common/grid/scene.h"
 
 namespace tilemend {
@@ -21,10 +21,11 @@ inline constexpr char kSceneMember[] = "tilemend_scene";
 //   cell_size    [x, y], metres
 nlohmann::ordered_json SceneMemberOf(const Scene& scene);
 
-// kInvalidArgument, naming both scenes and what differs, if the file with these bytes has the member and it is of
-// another scene: if one of the four values differs. OK if it is no JSON, or does not have the member. `file` names it.
-// Cost O(bytes); no list of the file is kept in memory.
-absl::Status CheckSceneMember(const std::string& bytes, const std::string& file, const Scene& scene);
+// kInvalidArgument, naming both scenes and what differs, if the file with these bytes has the member, and its CRS or
+// its grid is not that of the scene. A warning if the name of the folder alone differs, as where it was renamed or
+// mounted in a container. Else empty, also if the file is no JSON or does not have the member. `file` names it. Cost
+// O(bytes); no list of the file is kept in memory.
+absl::StatusOr<std::string> CheckSceneMember(const std::string& bytes, const std::string& file, const Scene& scene);
 
 }  // namespace tilemend
 

@@ -126,7 +126,8 @@ absl::Status AddDecisions(const std::string& value, const Scene& scene, WaterCho
                           const std::stop_token& stop) {
   if (value.empty()) return absl::OkStatus();
   TILEMEND_ASSIGN_OR_RETURN(const VectorBytes bytes, ReadAreaFile(value));
-  TILEMEND_RETURN_IF_ERROR(CheckSceneMember(bytes.bytes, value, scene));
+  TILEMEND_ASSIGN_OR_RETURN(std::string warning, CheckSceneMember(bytes.bytes, value, scene));
+  if (!warning.empty()) choice.warnings.push_back(std::move(warning));
   TILEMEND_ASSIGN_OR_RETURN(WaterFile file, ParseDecisionFile(bytes, value, FrameOf(scene), stop));
   std::ranges::move(file.areas, std::back_inserter(choice.options.areas));
   std::ranges::move(file.warnings, std::back_inserter(choice.warnings));

@@ -145,20 +145,21 @@ def check_refusals(tilemend, scene, out, marks, folder):
 
 
 def check_another_scene(tilemend, scene, out, file, folder):
-    """Decisions on another scene are refused by its name, though they lie over holes here."""
+    """Decisions on a scene of another grid are refused, though they lie over holes here; another name is warned of."""
     with open(file) as read:
         marks = json.load(read)
     tiles = tiles_of(out)
-    expect(marks['tilemend_scene']['name'] == 'scene', f"holes.geojson is of {marks.get('tilemend_scene')}")
-    marks['tilemend_scene']['name'] = 'harbour'
+    member = marks['tilemend_scene']
+    expect(member['name'] == 'scene', f'holes.geojson is of {member}')
+    renamed = {**member, 'name': 'harbour'}
     other = os.path.join(folder, 'harbour.geojson')
-    for member, codes in ((True, (4,)), (False, (0, 100))):
-        if not member:
-            del marks['tilemend_scene']
+    for given, codes, words in (({**renamed, 'cell_size': [9, 9]}, (4,), "its decisions are on scene 'harbour'"),
+                                (renamed, (0, 100), "its decisions are on a scene in folder 'harbour'"),
+                                (None, (0, 100), '')):
         with open(other, 'w') as written:
-            json.dump(marks, written)
+            json.dump({**marks, 'tilemend_scene': given}, written)
         text = run(tilemend, 'run', scene, '--out', out, '--decisions', other, codes=codes)
-        expect(("its decisions are on scene 'harbour'" in text) == member, f'decisions on another scene: {text}')
+        expect(words in text and ("'harbour'" in text) == bool(given), f'decisions on another scene: {text}')
         expect(tiles_of(out) == tiles, 'the decisions of a copy without its scene write other tiles')
 
 

@@ -64,7 +64,7 @@ class Test:
             expect(part in done.stderr, f'"{part}" is not in {done.stderr}')
 
     def same_as_folder(self):
-        self.scene = obj_scene(os.path.join(self.folder, 'scene'))
+        self.scene = obj_scene(os.path.join(self.folder, 'a scene'))
         self.server.upload(self.scene, 'city/a scene')
         done = self.run('run', self.scene, '--out', os.path.join(self.folder, 'out'))
         expect(done.returncode == 0, done.stderr)
