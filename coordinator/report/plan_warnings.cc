@@ -101,12 +101,18 @@ std::vector<std::string> PlanWarnings(const Plan& plan) {
 
 absl::Status CheckDecisions(const Plan& plan) {
   size_t decisions = 0;
+  const WaterAnswer* over_hole = nullptr;
   for (const WaterAnswer& answer : plan.water_answers) {
     if (answer.decision == ReviewDecision::kNone) continue;
-    if (answer.is_over_hole) return absl::OkStatus();
+    if (answer.taken) return absl::OkStatus();
+    if (answer.is_over_hole && over_hole == nullptr) over_hole = &answer;
     ++decisions;
   }
   if (decisions == 0) return absl::OkStatus();
+  if (over_hole != nullptr) {
+    return absl::InvalidArgumentError(absl::StrFormat("none of the %d decisions has an effect; %s: %s", decisions,
+                                                      over_hole->label, over_hole->reason));
+  }
   return absl::InvalidArgumentError(
       absl::StrFormat("none of the %d decisions applies: no hole lies under %s; is the file of another scene?",
                       decisions, decisions == 1 ? "it" : "them"));

@@ -13,7 +13,7 @@ namespace tilemend {
 // What the user should know of the plan, one line each.
 std::vector<std::string> PlanWarnings(const Plan& plan);
 
-// kInvalidArgument if a reviewer's decisions were given and none of them lies over a hole: they are of another scene. A
+// kInvalidArgument if a reviewer's decisions were given and none of them is taken, as those of another scene. A
 // decision that changes nothing is no error.
 absl::Status CheckDecisions(const Plan& plan);
 

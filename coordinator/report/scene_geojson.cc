@@ -274,16 +274,18 @@ std::string ProposalsGeoJson(const Plan& plan, const std::vector<ProposedSurface
                 {"reason", reason}};
   };
   for (const WaterBody& body : plan.water) {
-    if (body.kind != BodyKind::kWater) continue;
     std::vector<RimSegment> segments;
     double area = 0;
     for (const int32_t h : body.holes) {
       segments.insert(segments.end(), plan.holes[h].segments.begin(), plan.holes[h].segments.end());
       area += plan.holes[h].area;
     }
-    features.AddPolygons(plan, segments, Wound::kLeft,
-                         properties("water", KindOf(body), body.level, body.sigma, area, false,
-                                    "a hole whose rim tells the level of water"));
+    const bool is_water = body.kind == BodyKind::kWater;
+    if (!is_water && area < kWaterProfiles[0].least_lake) continue;
+    features.AddPolygons(
+        plan, segments, Wound::kLeft,
+        properties(is_water ? "water" : "level", is_water ? KindOf(body) : "lake", body.level, body.sigma, area, false,
+                   is_water ? "a hole whose rim tells the level of water" : "a large level hole; it may be dry"));
   }
   for (const ProposedSurface& s : surfaces) {
     features.AddRings(s.outline.rings, properties("surface", nullptr, s.level, s.sigma, s.area, true, s.reason));

@@ -30,9 +30,9 @@ struct ProposedSurface {
   std::string reason;
 };
 
-// Polygons for --water: the waters of the plan, and surfaces, which have the property `clear`. Each has
-// `proposed_level_m`, its standard deviation and the reason. Its `level_m` is null: the level is estimated when it is
-// filled. ParseWaterFile reads it.
+// Polygons for --water: the waters of the plan, level holes as large as the smallest lake, and surfaces, which have the
+// property `clear`. Each has `proposed_level_m`, its standard deviation and the reason. Its `level_m` is null: the
+// level is estimated when it is filled. ParseWaterFile reads it.
 std::string ProposalsGeoJson(const Plan& plan, const std::vector<ProposedSurface>& surfaces, const Scene& scene);
 
 // An area of the scene, with what is inside on the left of its rings. ParseAreaFile reads it.

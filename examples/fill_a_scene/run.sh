@@ -1,6 +1,7 @@
 #!/bin/bash
 # Fills a folder of tiles: run.sh SCENE OUT
 set -euo pipefail
+[[ $# -eq 2 ]] || { sed -n 2p "$0" >&2; exit 2; }
 scene="$1" out="$2"
 
 tilemend inspect "$scene"            # the grid, the holes and what they would be filled as

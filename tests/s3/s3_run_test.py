@@ -106,9 +106,10 @@ class Test:
     def same_in_store(self, name, scene, *words, **changes):
         """Runs a job on a scene in a folder and in the store; gives the latter's output."""
         environment = self.server.environment(**changes)
-        self.server.upload(scene, f'city/{name}')
+        at = f'city/{name}/{os.path.basename(scene)}'
+        self.server.upload(scene, at)
         local, stored = os.path.join(self.folder, f'out-{name}'), f's3://{BUCKET}/out/{name}'
-        for source, out in ((scene, local), (f's3://{BUCKET}/city/{name}', stored)):
+        for source, out in ((scene, local), (f's3://{BUCKET}/{at}', stored)):
             done = self.run('run', source, '--out', out, *words, environment=environment)
             expect(done.returncode == 0, f'{name}: {done.stderr}')
         same_output(self.server.objects(f'out/{name}/'), files_below(local))
@@ -117,7 +118,7 @@ class Test:
     def trees_of_files(self):
         scene = tileset_scene(os.path.join(self.folder, 'tileset'))
         _, stored = self.same_in_store('tileset', scene)
-        done = self.run('check', f's3://{BUCKET}/city/tileset', stored)
+        done = self.run('check', f's3://{BUCKET}/city/tileset/tileset', stored)
         expect(done.returncode == 0, done.stdout + done.stderr)
         delivered, _ = self.same_in_store('delivered', self.scene, '--output-format', 'osgb')
         _, stored = self.same_in_store('Tile_+000', delivered)  # as exports name their folders

@@ -50,7 +50,7 @@ TEST(PlanWarningsTest, EachDecisionWithoutEffectIsNamed) {
   EXPECT_THAT(PlanWarnings(plan).back(), HasSubstr("120 decisions are not taken; the report lists all"));
 }
 
-TEST(CheckDecisionsTest, RefusesDecisionsOfWhichNoneLiesOverAHole) {
+TEST(CheckDecisionsTest, RefusesDecisionsOfWhichNoneHasAnEffect) {
   Plan plan;
   EXPECT_TRUE(CheckDecisions(plan).ok());
   plan.water_answers.assign(3, {"feature", true, false, {}, "no hole lies under it"});
@@ -61,7 +61,11 @@ TEST(CheckDecisionsTest, RefusesDecisionsOfWhichNoneLiesOverAHole) {
   EXPECT_TRUE(absl::IsInvalidArgument(refused));
   EXPECT_THAT(std::string(refused.message()),
               HasSubstr("none of the 2 decisions applies: no hole lies under them; is the file of another scene?"));
-  plan.water_answers[2].is_over_hole = true;  // not taken, but of this scene
+  plan.water_answers[2].is_over_hole = true;
+  plan.water_answers[2].reason = "it covers 34 % of holes 0 and 19";
+  EXPECT_THAT(std::string(CheckDecisions(plan).message()),
+              HasSubstr("none of the 2 decisions has an effect; feature: it covers 34 % of holes 0 and 19"));
+  plan.water_answers[1].taken = true;
   EXPECT_TRUE(CheckDecisions(plan).ok());
 }
 

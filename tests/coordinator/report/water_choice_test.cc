@@ -69,7 +69,7 @@ TEST(WaterChoiceTest, DecisionsComeLastAndCountByTheirContent) {
 TEST(WaterChoiceTest, DecisionsOnAnotherSceneAreRefusedBeforeTheirCoordinates) {
   const TemporaryFolder folder;
   const std::string file = folder.Write("d.geojson", R"({"type": "FeatureCollection",
-      "tilemend_scene": {"name": "harbour", "crs": "", "grid_corner": [0, 0], "cell_size": [0, 0]}, "features": 3})");
+      "tilemend_scene": {"name": "harbour", "crs": "EPSG:25832", "grid_corner": [0, 0], "cell_size": [0, 0]}, "features": 3})");
   Scene scene;
   scene.root = "/data/city";
   WaterChoice choice;
