@@ -19,6 +19,7 @@
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "coordinator/web/cell_map.h"
+#include "coordinator/web/message_json.h"
 #include "coordinator/web/open_api.h"
 
 namespace tilemend {
@@ -34,11 +35,7 @@ std::string TextOf(const Json& json) { return json.dump(-1, ' ', false, Json::er
 HttpAnswer JsonAnswer(std::string text) { return {.type = kJsonType, .body = std::move(text)}; }
 
 absl::StatusOr<HttpAnswer> JsonAnswer(const google::protobuf::Message& message) {
-  google::protobuf::util::JsonPrintOptions options;
-  options.always_print_primitive_fields = true;
-  std::string text;
-  const auto status = google::protobuf::util::MessageToJsonString(message, &text, options);
-  if (!status.ok()) return absl::InternalError(absl::StrCat("the answer is no JSON: ", status.ToString()));
+  TILEMEND_ASSIGN_OR_RETURN(std::string text, MessageJson(message));
   return JsonAnswer(std::move(text));
 }
 
