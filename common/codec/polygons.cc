@@ -26,14 +26,34 @@ bool HasRepeatedCorner(const std::vector<int32_t>& corners) {
   return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
 }
 
+// The places of the corners but for those that repeat the one before, or the last the first.
+std::vector<int32_t> PlacesWithoutRepeats(const std::vector<int32_t>& corners) {
+  std::vector<int32_t> places;
+  for (size_t i = 0; i < corners.size(); ++i) {
+    if (places.empty() || corners[i] != corners[places.back()]) places.push_back(static_cast<int32_t>(i));
+  }
+  while (places.size() > 1 && corners[places.back()] == corners[places.front()]) places.pop_back();
+  return places;
+}
+
 }  // namespace
 
 void AddPolygon(const std::vector<int32_t>& corners, MeshFile& file, std::vector<Triangle>& cut,
                 std::span<const Point3> all) {
   cut.clear();
   if (corners.size() > 3) ++file.polygon_count;
-  if (corners.size() < 3 || HasRepeatedCorner(corners)) return;
-  CutPolygon(corners, all.empty() ? std::span<const Point3>(file.mesh.points) : all, cut);
+  if (corners.size() < 3) return;
+  const std::span<const Point3> points = all.empty() ? std::span<const Point3>(file.mesh.points) : all;
+  if (HasRepeatedCorner(corners)) {
+    const std::vector<int32_t> places = PlacesWithoutRepeats(corners);
+    std::vector<int32_t> others;
+    for (const int32_t place : places) others.push_back(corners[place]);
+    if (others.size() < 3 || HasRepeatedCorner(others)) return;
+    CutPolygon(others, points, cut);
+    for (Triangle& t : cut) t = {places[t[0]], places[t[1]], places[t[2]]};
+  } else {
+    CutPolygon(corners, points, cut);
+  }
   for (const Triangle& t : cut) file.mesh.triangles.push_back({corners[t[0]], corners[t[1]], corners[t[2]]});
 }
 

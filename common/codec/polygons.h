@@ -29,10 +29,10 @@ using FaceVisitor =
 // Of a face with three corners.
 inline constexpr Triangle kWhole[] = {{0, 1, 2}};
 
-// Adds a face, cut into triangles (cut_polygon.h). One with fewer than three corners or with a repeated vertex bounds
-// no surface: it adds no triangle (the file keeps it). Corners are indices of vertices. `cut` gets the triangles by
-// places of the face's corners. `all` has the vertices that the file will have, for a face that stands before its own;
-// empty: those that `file` has.
+// Adds a face, cut into triangles (cut_polygon.h). Corners that repeat the one before do not count. A face with fewer
+// than three others, or that comes by a vertex again, bounds no surface: it adds no triangle (the file keeps it).
+// Corners are indices of vertices. `cut` gets the triangles by places of the face's corners. `all` has the vertices
+// that the file will have, for a face that stands before its own; empty: those that `file` has.
 void AddPolygon(const std::vector<int32_t>& corners, MeshFile& file, std::vector<Triangle>& cut,
                 std::span<const Point3> all = {});
 // The same, and tells `visit`, if there is one, of a face that adds triangles.

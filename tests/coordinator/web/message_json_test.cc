@@ -33,7 +33,9 @@ TEST(MessageJsonTest, HasFieldsThatAreNotSet) { EXPECT_EQ(Json::parse(MessageJso
 
 TEST(MessageJsonTest, ADetailOfAnotherTypeIsAnError) {
   v1::Job job;
-  job.mutable_error()->add_details()->set_type_url("type.googleapis.com/none.Of.Ours");
+  google::protobuf::Any& detail = *job.mutable_error()->add_details();
+  detail.set_type_url("type.googleapis.com/none.Of.Ours");
+  detail.set_value("a");
   EXPECT_TRUE(absl::IsInternal(MessageJson(job).status()));
 }
 
