@@ -7,6 +7,7 @@
 #include <map>
 
 #include "common/mesh/position_index.h"
+#include "common/mesh/triangle_shape.h"
 #include "worker/check/fill_pieces.h"
 
 namespace tilemend {
@@ -61,7 +62,7 @@ std::vector<HoleCrop::Face> OnGrid(const std::vector<HoleCrop::Face>& faces, dou
 
 }  // namespace
 
-std::vector<Eigen::AlignedBox3d> AddedPieces(const TriMesh& mesh, const std::vector<bool>& added) {
+std::vector<AddedPiece> AddedPieces(const TriMesh& mesh, const std::vector<bool>& added) {
   PositionIndex index;
   std::vector<Triangle> triangles;
   for (size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -69,27 +70,29 @@ std::vector<Eigen::AlignedBox3d> AddedPieces(const TriMesh& mesh, const std::vec
     Triangle& welded = triangles.emplace_back();
     for (size_t k = 0; k < 3; ++k) welded[k] = index.Insert(mesh.points[mesh.triangles[t][k]]);
   }
-  std::vector<Eigen::AlignedBox3d> pieces;
-  for (const std::vector<Triangle>& piece : PiecesByEdges(triangles)) {
-    Eigen::AlignedBox3d& box = pieces.emplace_back();
-    for (const Triangle& t : piece) {
-      for (const int32_t v : t) box.extend(index.positions()[v]);
+  std::vector<AddedPiece> pieces;
+  for (const std::vector<Triangle>& of_piece : PiecesByEdges(triangles)) {
+    AddedPiece& piece = pieces.emplace_back();
+    for (const Triangle& t : of_piece) {
+      for (const int32_t v : t) piece.box.extend(index.positions()[v]);
+      piece.vector_area += TwiceVectorArea(index.positions(), t) / 2;
     }
   }
   return pieces;
 }
 
-Eigen::AlignedBox3d PieceAt(const std::vector<Eigen::AlignedBox3d>& pieces, const Point2& centre, double area) {
+Eigen::AlignedBox3d PieceAt(const std::vector<AddedPiece>& pieces, const Point2& centre, double area) {
   Eigen::AlignedBox3d best;
   double least = std::numeric_limits<double>::infinity();
-  for (const Eigen::AlignedBox3d& piece : pieces) {
+  for (const auto& [box, vector_area] : pieces) {
     const Point2 slack(kCentreSlack, kCentreSlack);
-    const Point2 lo = piece.min().head<2>() - slack, hi = piece.max().head<2>() + slack;
+    const Point2 lo = box.min().head<2>() - slack, hi = box.max().head<2>() + slack;
     if ((centre.array() < lo.array()).any() || (centre.array() > hi.array()).any()) continue;
-    const double off = std::abs((hi - lo).prod() - area);
+    // Not the area of the box: that of a bent fill is several times its own, so that a scrap would be nearer.
+    const double off = std::min(std::abs(std::abs(vector_area.z()) - area), std::abs(vector_area.norm() - area));
     if (off < least) {
       least = off;
-      best = piece;
+      best = box;
     }
   }
   return best;

@@ -30,11 +30,18 @@ struct HoleCrop {
 
 inline constexpr int64_t kMostCropFaces = 12000;
 
-// The boxes of the connected pieces of added triangles of a tile.
-std::vector<Eigen::AlignedBox3d> AddedPieces(const TriMesh& mesh, const std::vector<bool>& added);
+// Added triangles that are connected over edges: the fill of a hole, or a part of it.
+struct AddedPiece {
+  Eigen::AlignedBox3d box;
+  Eigen::Vector3d vector_area{0, 0, 0};  // m2; depends on the boundary alone
+};
 
-// The piece that has `centre` in its box seen from above and whose area is nearest to `area`; an empty box if none has.
-Eigen::AlignedBox3d PieceAt(const std::vector<Eigen::AlignedBox3d>& pieces, const Point2& centre, double area);
+// The pieces of added triangles of a tile. O(n log n).
+std::vector<AddedPiece> AddedPieces(const TriMesh& mesh, const std::vector<bool>& added);
+
+// The box of the piece that has `centre` in its box seen from above and whose area is nearest to `area`; an empty box
+// if none has. `area`: of the hole, from above or along its own normal. O(pieces).
+Eigen::AlignedBox3d PieceAt(const std::vector<AddedPiece>& pieces, const Point2& centre, double area);
 
 // The triangles that meet the box of a fill grown by a third of its width, by 3 to 60 metres. Where they are more than
 // kMostCropFaces, vertices are moved together on a grid that is as fine as that number allows. O(n).

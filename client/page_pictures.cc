@@ -13,6 +13,7 @@
 #include "common/store/gzip.h"
 #include "common/util/status_macros.h"
 #include "coordinator/report/json_access.h"
+#include "coordinator/report/page_holes.h"
 
 namespace tilemend {
 namespace {
@@ -20,6 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kLeastArea = 0.5;  // m2: fills that are smaller show nothing
+constexpr size_t kMostOfCluster = 3;
 
 struct Wanted {
   size_t rank = 0;
@@ -28,7 +30,8 @@ struct Wanted {
   double area = 0;
 };
 
-// Filled holes with a place, the largest first; of a cluster its largest.
+// Filled holes with a place, the largest first. A picture shows one tile: of a cluster the largest hole in each cell,
+// but no more than kMostOfCluster, so that a river does not take all pictures.
 std::map<CellId, std::vector<Wanted>> WantedByCell(const Json& report) {
   std::vector<const Json*> rows;
   const Json& holes = Member(report, "per_hole");
@@ -44,18 +47,20 @@ std::map<CellId, std::vector<Wanted>> WantedByCell(const Json& report) {
     return std::abs(Number(Member(*a, "area_m2"))) > std::abs(Number(Member(*b, "area_m2")));
   });
   std::map<CellId, std::vector<Wanted>> wanted;
-  std::set<int64_t> clusters;
+  std::map<int64_t, std::set<CellId>> cells_of_cluster;
   size_t rank = 0;
   for (const Json* row : rows) {
     if (rank == kMostPictures || std::abs(Number(Member(*row, "area_m2"))) < kLeastArea) break;
-    const Json& cluster = Member(*row, "cluster");
-    if (cluster.is_number_integer() && !clusters.insert(cluster.get<int64_t>()).second) continue;
-    const Json &cell = Member(*row, "cell"), &centre = Member(*row, "centre");
-    wanted[{cell[0].get<int32_t>(), cell[1].get<int32_t>()}].push_back(
-        {rank++,
-         static_cast<int64_t>(Number(Member(*row, "id"))),
-         {centre[0].get<double>(), centre[1].get<double>()},
-         std::abs(Number(Member(*row, "area_m2")))});
+    const Json &column_row = Member(*row, "cell"), &centre = Member(*row, "centre");
+    const CellId cell{column_row[0].get<int32_t>(), column_row[1].get<int32_t>()};
+    if (const int64_t cluster = ClusterOf(*row); cluster >= 0) {
+      std::set<CellId>& cells = cells_of_cluster[cluster];
+      if (cells.size() == kMostOfCluster || !cells.insert(cell).second) continue;
+    }
+    wanted[cell].push_back({rank++,
+                            static_cast<int64_t>(Number(Member(*row, "id"))),
+                            {centre[0].get<double>(), centre[1].get<double>()},
+                            std::abs(Number(Member(*row, "area_m2")))});
   }
   return wanted;
 }

@@ -25,9 +25,9 @@ struct PagePictures {
   std::vector<std::string> problems;  // tiles that could not be read
 };
 
-// The largest fill of each cluster and closed hole of the report: at most kMostPictures, none below half a square
-// metre. The output `out` was made from `scene`. Reads the tiles of these fills, one after another. Cost:
-// linear in these tiles.
+// The largest fills of the report: at most kMostPictures, none below half a square metre; of a cluster the largest fill
+// in each of up to three cells. The output `out` was made from `scene`. Reads the tiles of these fills, one after
+// another. Cost: linear in these tiles.
 PagePictures MakePagePictures(const nlohmann::ordered_json& report, const Scene& scene, const std::string& out);
 
 }  // namespace tilemend

@@ -46,9 +46,31 @@ TEST(HoleCropTest, FindsTheFillAtItsCentre) {
   EXPECT_TRUE(PieceAt(pieces, {3, 3}, 1).isEmpty());
 }
 
+// Cutting folds off can leave a scrap of the fill near the centre.
+TEST(HoleCropTest, FindsABentFillBesideAScrap) {
+  constexpr int32_t kSide = 18, kWidth = 2;  // two arms along the borders: 68 m2 in a box of 324 m2
+  TriMesh mesh = SquaresMesh(0, kSide, 0, kSide, [](int32_t i, int32_t j) { return i < kWidth || j < kWidth; });
+  const auto n = static_cast<int32_t>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), {{7, 7, 12}, {9, 7, 12}, {8, 9, 12}});
+  mesh.triangles.push_back({n, n + 1, n + 2});
+  const auto pieces = AddedPieces(mesh, std::vector<bool>(mesh.triangles.size(), true));
+  ASSERT_THAT(pieces, SizeIs(2));
+  EXPECT_EQ(PieceAt(pieces, {8, 8}, 68).max(), Point3(kSide, kSide, 0));
+  EXPECT_EQ(PieceAt(pieces, {8, 8}, 2).max(), Point3(9, 9, 12));
+}
+
+// A fill in a wall has no area from above.
+TEST(HoleCropTest, FindsAFillInAWallByItsOwnArea) {
+  const TriMesh mesh{{{0, 0, 0}, {4, 0, 0}, {4, 0, 4}, {0, 0, 1}, {1, 0, 5}, {2, 0, 5}, {1, 0, 6}},
+                     {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}}};
+  const auto pieces = AddedPieces(mesh, {true, true, true});
+  ASSERT_THAT(pieces, SizeIs(2));
+  EXPECT_EQ(PieceAt(pieces, {1.5, 0}, 10).max(), Point3(4, 0, 4));
+}
+
 TEST(HoleCropTest, KeepsTheSurroundingsOfTheFill) {
   const TilePair pair = Filled(41);
-  const HoleCrop crop = CropAround(pair, AddedPieces(pair.after.faces.mesh, pair.change.added)[0]);
+  const HoleCrop crop = CropAround(pair, AddedPieces(pair.after.faces.mesh, pair.change.added)[0].box);
   EXPECT_LT(std::ssize(crop.faces), std::ssize(pair.after.faces.mesh.triangles) / 4);
   EXPECT_EQ(std::count_if(crop.faces.begin(), crop.faces.end(),
                           [](const HoleCrop::Face& f) { return f.state == FaceState::kAdded; }),

@@ -152,6 +152,9 @@ await tab.waitForFunction(() => document.querySelector('[role=alert]')?.hidden, 
 page.mayFail = false;
 expect(await large.locator('.priority').inputValue() === '7', 'the priority was not kept');
 await large.locator('button', { hasText: 'cancel' }).click();
+await large.locator('button', { hasText: 'really' }).blur();
+expect(await large.locator('button', { hasText: 'really' }).count() === 0, 'a question stands after its button lost the focus');
+await large.locator('button', { hasText: 'cancel' }).click();
 await large.locator('button', { hasText: 'really' }).click();
 await tab.waitForFunction(() => document.querySelector('.job.chosen .state')?.textContent === 'cancelled', null, { timeout: 20000 });
 expect(await tab.locator('svg.map rect.unknown').count() === 0, 'cells of a job that was cancelled now are not known');

@@ -159,6 +159,29 @@ def check_other_fill(program, folder, chromium, temporary):
         fail(f"the mark on hole {row['id']} gave {decided}")
 
 
+def check_not_judged(program, folder, chromium, temporary):
+    """A hole that was not judged is ground in the queue, as its method says, and is not the method."""
+    scene, out = os.path.join(temporary, 'scene'), os.path.join(temporary, 'not_judged')
+    path = os.path.join(out, 'report.json')
+    done = run(program, 'run', scene, '--out', out)
+    if done.returncode:
+        fail(done.stdout)
+    with open(path) as file:
+        report = json.load(file)
+    row = report['per_hole'][0]
+    row.pop('water', None)
+    row['method'] = 'over the ground, folds cut off'
+    report['review'] = []
+    with open(path, 'w') as file:
+        json.dump(report, file)
+    shutil.copy(os.path.join(HERE, 'add_row.mjs'), folder)
+    for command in ((program, 'report', out, '--html'),
+                    ('node', 'add_row.mjs', os.path.join(out, 'report.html'), chromium, str(row['id']), 'ground')):
+        done = run(*command, cwd=folder)
+        if done.returncode:
+            fail(done.stdout)
+
+
 def make_page(folder, program):
     """The page of an output whose report has texts with markup in it."""
     scene, out = os.path.join(folder, 'scene'), os.path.join(folder, 'out')
@@ -224,6 +247,7 @@ def main():
         check_decisions(program, temporary, os.path.join(folder, 'decisions.geojson'))
         check_second_round(program, folder, chromium, temporary)
         check_other_fill(program, folder, chromium, temporary)
+        check_not_judged(program, folder, chromium, temporary)
     print('the page works')
 
 

@@ -10,7 +10,7 @@ import { type HoleRows, holesTable, type HolesTable, squareMetres } from './hole
 import { JobMap, STATE_NAMES } from './job_map';
 import { isOver } from './jobs';
 import { Card, makeRenderer, MARK_NAME } from './pictures';
-import { type ReviewQueue, reviewQueue } from './review';
+import { type PictureLink, type ReviewQueue, reviewQueue } from './review';
 import { readCell } from './tile';
 import { warningList } from './warnings';
 
@@ -177,7 +177,7 @@ export class JobView {
     const text = hole ? `Hole ${hole.id}, ${squareMetres(hole)}, in cell ${cell.join(', ')}` : map.textOf(map.indexOf(cell));
     const parts: HTMLElement[] = [el('p', { role: 'status' }, text)];
     if (map.cells.hasTiles) {
-      const button = el('button', { type: 'button', click: () => this.showPicture(cell, hole, button) }, 'show before and after');
+      const button = el('button', { type: 'button', class: 'topicture', click: () => this.showPicture(cell, hole, button) }, 'show before and after');
       parts.push(button);
     }
     if (hole?.filled && !this.holes?.planned && (this.queue?.canDecide(hole) ?? true) || hole?.decision) {
@@ -228,6 +228,15 @@ export class JobView {
       el('button', { type: 'button', click: () => void this.showReview(null) }, 'show the review queue'))] : []));
   }
 
+  private pictureOf(id: number): PictureLink | null {
+    const hole = this.holes?.holes.find((h) => h.id === id);
+    if (!hole || !this.map?.cells.hasTiles) return null;
+    return { href: `#${this.name}`, show: () => {
+      this.chooseHole(hole);
+      this.detail.querySelector<HTMLButtonElement>('.topicture')?.click();
+    } };
+  }
+
   // The queue of the report, with the row of the hole in focus.
   private async showReview(hole: Hole | null): Promise<void> {
     try {
@@ -249,7 +258,9 @@ export class JobView {
     const { review, ...report } = await get<JobReview>(`/v1/${this.name}/review`);
     const { listen } = await get<Me>('/v1/me'), at = coordinatorAt(listen ?? '', location.hostname);
     const queue = reviewQueue(report, review, this.holes?.holes ?? [], decisionsCommand(report, 'submit', at),
-      'FILE is the path of the downloaded file in a folder that coordinator and workers may read (--root).');
+      { addHint: 'To add any other fill, choose it in the table of holes, then \u201cdecide on it in the review queue\u201d beside the map.',
+        commandHint: 'FILE is the path of the downloaded file in a folder that coordinator and workers may read (--root).',
+        pictureOf: (id) => this.pictureOf(id) });
     this.reviewBox.replaceChildren(el('h2', {}, 'Review'), queue.element);
     return queue;
   }

@@ -71,6 +71,36 @@ const baseName = (path: string): string => path.replace(/\/+$/, '').split('/').p
 
 export interface JobActions { choose: (job: Job) => void; failed: (error: unknown) => void; changed: () => void }
 
+const PATIENCE = 5000; // milliseconds that a button waits for the second click
+
+// A button that asks once more before it acts: until PATIENCE is over or it loses the focus.
+class Confirmation {
+  private readonly text: string;
+  private timer = 0;
+  private isArmed = false;
+
+  constructor(private readonly button: HTMLButtonElement) {
+    this.text = button.textContent ?? '';
+    button.addEventListener('blur', () => this.disarm());
+  }
+
+  arm(question: string): void {
+    clearTimeout(this.timer);
+    this.isArmed = true;
+    this.button.textContent = question;
+    this.timer = window.setTimeout(() => this.disarm(), PATIENCE);
+  }
+
+  // Whether it was armed.
+  disarm(): boolean {
+    const before = this.isArmed;
+    clearTimeout(this.timer);
+    this.isArmed = false;
+    this.button.textContent = this.text;
+    return before;
+  }
+}
+
 function steerButtons(job: () => Job, actions: JobActions): { element: HTMLElement; update: (me: Me) => void } {
   const run = (verb: string, body: unknown, failed = actions.failed) => {
     post(`/v1/${job().name}/${verb}`, body).then((answer) => {
@@ -78,27 +108,22 @@ function steerButtons(job: () => Job, actions: JobActions): { element: HTMLEleme
       actions.changed();
     }, failed);
   };
-  // A button that asks once more before it acts.
-  const askAgain = (button: HTMLButtonElement, question: string, patience: number) => {
-    const text = button.textContent;
-    button.dataset['sure'] = 'yes';
-    button.textContent = question;
-    setTimeout(() => { button.dataset['sure'] = ''; button.textContent = text; }, patience);
-  };
   const button = (text: string, click: () => void) => el('button', { type: 'button', click }, text);
   const pause = button('pause', () => run(job().paused ? 'resume' : 'pause', {}));
   const cancel = button('cancel', () => {
-    if (cancel.dataset['sure'] === 'yes') run('cancel', {});
-    else askAgain(cancel, 'really cancel?', 4000);
+    if (cancelTwice.disarm()) run('cancel', {});
+    else cancelTwice.arm('really cancel?');
   });
+  const cancelTwice = new Confirmation(cancel);
   // An output that is there is replaced only after a second click.
   const retry = button('retry', () => {
-    const overwrite = retry.dataset['sure'] === 'yes';
+    const overwrite = retryTwice.disarm();
     run('retry', { requestId: crypto.randomUUID?.() ?? String(Math.random()), overwrite }, (error) => {
-      if (error instanceof ApiError && error.reason === 'OUTPUT_EXISTS' && !overwrite) askAgain(retry, 'replace its output?', 8000);
+      if (error instanceof ApiError && error.reason === 'OUTPUT_EXISTS' && !overwrite) retryTwice.arm('replace its output?');
       else actions.failed(error);
     });
   });
+  const retryTwice = new Confirmation(retry);
   const priority = el('input', { type: 'number', min: '-100', max: '100', class: 'priority', 'aria-label': 'priority', title: 'priority',
     change: () => { if (priority.value !== '') run('priority', { priority: Number(priority.value) }); } });
   const element = el('div', { class: 'steer' }, pause, cancel, retry, el('label', {}, 'priority ', priority));

@@ -14,6 +14,7 @@ type Mode = 'before' | 'after' | 'marked';
 const MARK = 0xd01c8b; // unlike water, plants, roofs and streets
 const SHADE = 0x404040;
 export const MARK_NAME = 'magenta';
+const ELEVATION = 70, STRAIGHT_DOWN = 89.99; // degrees. Lower views hide the streets between houses
 
 export function makeRenderer(): WebGLRenderer | null {
   try {
@@ -33,7 +34,7 @@ class View {
   private readonly camera: PerspectiveCamera;
   private readonly meshes: { role: Role; mesh: Mesh<BufferGeometry, MeshLambertMaterial> }[];
 
-  constructor(private readonly renderer: WebGLRenderer, crop: Crop) {
+  constructor(private readonly renderer: WebGLRenderer, private readonly crop: Crop) {
     this.camera = new PerspectiveCamera(38, WIDTH / HEIGHT, crop.radius / 50, crop.radius * 60);
     this.meshes = crop.parts.map(({ role, geometry, texture }) => ({ role, mesh: new Mesh(geometry, new MeshLambertMaterial({
       vertexColors: geometry.hasAttribute('color'), side: DoubleSide, flatShading: true, ...(texture ? { map: texture } : {}) })) }));
@@ -44,18 +45,28 @@ class View {
 
   private controls: OrbitControls | null = null;
 
-  orbit(canvas: HTMLCanvasElement, crop: Crop, draw: () => void): void {
-    const [x, y, z] = crop.centre, distance = 3.3 * crop.radius;
-    this.camera.up.set(0, 0, 1);
-    this.camera.position.set(x - 0.25 * distance, y - 0.68 * distance, z + 0.7 * distance);
+  orbit(canvas: HTMLCanvasElement, draw: () => void): void {
     const controls = this.controls = new OrbitControls(this.camera, canvas);
-    controls.target.set(x, y, z);
     controls.enableZoom = false; // the wheel scrolls the page, unless the picture has the focus
     canvas.addEventListener('focus', () => { controls.enableZoom = true; });
     canvas.addEventListener('blur', () => { controls.enableZoom = false; });
     canvas.addEventListener('pointerdown', () => canvas.focus());
     controls.addEventListener('change', draw);
-    controls.update();
+    this.lookFrom(ELEVATION);
+  }
+
+  // So that north is up.
+  lookFromAbove(): void {
+    this.lookFrom(STRAIGHT_DOWN);
+  }
+
+  // From the south, at so many degrees above the horizon.
+  private lookFrom(elevation: number): void {
+    const [x, y, z] = this.crop.centre, distance = 3.3 * this.crop.radius, angle = elevation * Math.PI / 180;
+    this.camera.up.set(0, 0, 1);
+    this.camera.position.set(x, y - distance * Math.cos(angle), z + distance * Math.sin(angle));
+    this.controls?.target.set(x, y, z);
+    this.controls?.update();
   }
 
   // What the renderer and the page keep of it.
@@ -85,11 +96,22 @@ class View {
   }
 }
 
-function captionOf(hole: Hole | undefined, picture: Picture): string {
+const MOST_NAMED = 12; // holes of a cluster
+
+// " of a cluster with holes 3, 5": the other fills that are decided on with it. The picture may show them or not.
+function clusterText(hole: Hole, holes: Hole[]): string {
+  const cluster = hole.cluster ?? -1;
+  const others = cluster < 0 ? [] : holes.filter((h) => h.filled && h.cluster === cluster && h.id !== hole.id).map(({ id }) => id);
+  if (others.length === 0) return '';
+  const more = others.length > MOST_NAMED ? ` and ${number(others.length - MOST_NAMED)} more` : '';
+  return ` of a cluster with ${others.length === 1 ? 'hole' : 'holes'} ${others.slice(0, MOST_NAMED).join(', ')}${more}`;
+}
+
+function captionOf(hole: Hole | undefined, picture: Picture, holes: Hole[]): string {
   if (!hole) return `hole ${picture.hole}`;
   const level = levelText(hole.level);
   const sigma = hole.sigma === null || hole.sigma === undefined ? '' : `, sigma ${number(hole.sigma, 3)} m`;
-  return `hole ${hole.id}, cell ${hole.cell.join(', ')}, ${squareMetres(hole)}, ${hole.method}` +
+  return `hole ${hole.id}${clusterText(hole, holes)}, cell ${hole.cell.join(', ')}, ${squareMetres(hole)}, ${hole.method}` +
     (level ? ` at ${level} m${sigma}` : '');
 }
 
@@ -118,6 +140,7 @@ export class Card {
       this.buttons.set(mode, button);
       bar.append(button);
     }
+    bar.append(el('button', { type: 'button', class: 'above', click: () => this.view?.lookFromAbove() }, 'from above'));
     this.canvas.setAttribute('role', 'img');
     this.canvas.setAttribute('aria-label', caption);
     this.printed.setAttribute('aria-hidden', 'true');
@@ -132,7 +155,7 @@ export class Card {
       const crop = await this.read();
       if (this.isOver) return;
       this.view = new View(renderer, crop);
-      this.view.orbit(this.canvas, crop, () => this.draw());
+      this.view.orbit(this.canvas, () => this.draw());
       this.show(hasTexture(crop) ? 'after' : 'marked'); // without texture a fill looks like its surroundings
       this.view.draw(this.printed, 'before');
       this.note.textContent = [this.remark, crop.remark].filter(Boolean).join(' ');
@@ -160,13 +183,17 @@ export class Card {
   }
 }
 
+// The id of the element with the picture of a hole.
+export const pictureId = (hole: number): string => `picture-${hole}`;
+
 export function pictures(report: Report): HTMLElement {
   const box = el('div', { class: 'cards' });
   const holes = new Map(report.per_hole.map((hole) => [hole.id, hole]));
   const renderer = report.pictures.length > 0 ? makeRenderer() : null;
   if (report.pictures.length > 0 && !renderer) return el('p', {}, 'This browser has no WebGL, so there are no pictures.');
   const cards = report.pictures.map((picture) => new Card(() => readCrop(picture.bytes),
-    captionOf(holes.get(picture.hole), picture), picture.coarser ? 'Small triangles are left out of this picture.' : ''));
+    captionOf(holes.get(picture.hole), picture, report.per_hole), picture.coarser ? 'Small triangles are left out of this picture.' : ''));
+  cards.forEach((card, i) => { card.element.id = pictureId(report.pictures[i]!.hole); });
   box.append(...cards.map((card) => card.element));
   const loadAll = async () => {
     for (const card of cards) {

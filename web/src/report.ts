@@ -4,7 +4,7 @@ import { decisionsCommand } from './command';
 import { areaText, counted, el, holesText, number } from './dom';
 import { areaOf, holesTable, isOfMesh, levelText } from './holes';
 import { cellMap } from './map';
-import { MARK_NAME, pictures } from './pictures';
+import { MARK_NAME, pictureId, pictures } from './pictures';
 import { reviewQueue } from './review';
 import { warningList } from './warnings';
 
@@ -70,7 +70,8 @@ function section(title: string, ...content: HTMLElement[]): HTMLElement {
   return el('section', {}, el('h2', {}, title), ...content);
 }
 
-const HOW_TO_LOOK = `Drag to turn, click and use the wheel to zoom. \u201cMarked\u201d shows new surface in ${MARK_NAME}.`;
+const HOW_TO_LOOK = [el('span', { class: 'hint' }, 'Drag to turn, click and use the wheel to zoom. '),
+  `\u201cMarked\u201d shows new surface in ${MARK_NAME}.`];
 const LEAST_AREA = 0.5; // m2, of a fill with a picture: kLeastArea in client/page_pictures.cc
 
 function whyNoPictures(report: Report): string {
@@ -90,7 +91,10 @@ function options(report: Report): HTMLElement {
 function build(report: Report): HTMLElement[] {
   const review = report.review, hasFills = report.per_hole.some((hole) => hole.filled);
   const isReviewed = review && (hasFills || review.items.length > 0 || (review.decided ?? 0) > 0);
-  const queue = isReviewed ? reviewQueue(report, review, report.per_hole, decisionsCommand(report)) : null;
+  const pictured = new Set(report.pictures.map(({ hole }) => hole));
+  const queue = isReviewed ? reviewQueue(report, review, report.per_hole, decisionsCommand(report), {
+    addHint: '\u201cDecide\u201d in the table of holes adds any other fill.',
+    pictureOf: (hole) => (pictured.has(hole) ? { href: `#${pictureId(hole)}` } : null) }) : null;
   const holes = holesTable(report, undefined, queue?.decide, queue?.canDecide);
   const parts: HTMLElement[] = [
     el('header', {}, el('h1', {}, 'tilemend report'),
@@ -101,7 +105,7 @@ function build(report: Report): HTMLElement[] {
   if (queue) parts.push(section('Review', queue.element));
   const others = otherLooks(report);
   if (others.length) parts.push(section('Places to look at', looks(others, report.per_hole)));
-  parts.push(section('The largest fills', el('p', { class: 'quiet' }, report.pictures.length > 0 ? HOW_TO_LOOK : whyNoPictures(report)),
+  parts.push(section('The largest fills', el('p', { class: 'quiet' }, ...(report.pictures.length > 0 ? HOW_TO_LOOK : [whyNoPictures(report)])),
     ...report.picture_problems.map((text) => el('p', { class: 'warning' }, text)), pictures(report)));
   if (report.water?.length) parts.push(section('Waters', waters(report.water)));
   parts.push(section('Holes', holes.element));

@@ -69,9 +69,9 @@ class Marks {
   }
 }
 
-// A level as it was typed: a number, null for none, undefined for what is no number.
+// A level as it was typed, with a decimal point or comma: a number, null for none, undefined for what is no number.
 function levelOf(text: string): number | null | undefined {
-  const trimmed = text.trim();
+  const trimmed = text.trim().replace(/^([-+]?\d*),(\d+)$/, '$1.$2');
   if (trimmed === '') return null;
   return Number.isFinite(Number(trimmed)) ? Number(trimmed) : undefined;
 }
@@ -130,6 +130,9 @@ function save(text: string, name: string): void {
   setTimeout(() => URL.revokeObjectURL(url), 10000);
 }
 
+// The level of a fill that is flat.
+const flatLevelOf = (hole: Hole | undefined): number | null => (hole?.filled && typeof hole.level === 'number' ? hole.level : null);
+
 // "419.743 \u00b1 0.823", of a rim that has a level; without a standard deviation if the user gave it.
 function rimText({ sigma_m: sigma }: ReviewItem, level: number | null): string {
   return level === null || sigma === undefined ? number(level, 3) : `${number(level, 3)} \u00b1 ${number(sigma, 3)}`;
@@ -138,15 +141,21 @@ function rimText({ sigma_m: sigma }: ReviewItem, level: number | null): string {
 // Not of a river, which falls, nor of ground, whose rim is uneven or too short to tell.
 const hasLevelRim = ({ taken_for: verdict }: ReviewItem): boolean => verdict === 'lake' || verdict === 'level ground';
 
+// What the method of a fill says that the hole was taken for, if it was not judged.
+function takenForOf({ method }: Hole): string {
+  if (method.startsWith('over the ground')) return 'ground';
+  return method === 'water' || method === 'level ground' ? method : '\u2013';
+}
+
 // The row of a hole that is not in the queue, with all others that are decided on with it: those of its cluster.
 function itemOf(hole: Hole, holes: Hole[]): ReviewItem {
   const cluster = hole.cluster ?? -1;
   const members = cluster < 0 ? [hole] : holes.filter((h) => h.filled && h.cluster === cluster);
   const largest = members.reduce((most, h) => ((h.area ?? 0) > (most.area ?? 0) ? h : most), hole);
   const sum = (of: (h: Hole) => number | null) => members.reduce((all, h) => all + (of(h) ?? 0), 0);
-  const level = [largest.rim_level, largest.level].find((known) => typeof known === 'number'), area = sum((h) => h.area);
+  const level = typeof largest.rim_level === 'number' ? largest.rim_level : flatLevelOf(largest) ?? undefined, area = sum((h) => h.area);
   const doubt = members.some((h) => typeof h.doubt === 'number') ? sum((h) => h.doubt) : null;
-  return { hole: largest.id, holes: members.map((h) => h.id), cell: largest.cell, area_m2: area, taken_for: largest.taken_for || largest.method,
+  return { hole: largest.id, holes: members.map((h) => h.id), cell: largest.cell, area_m2: area, taken_for: largest.taken_for || takenForOf(largest),
     ...(level === undefined ? {} : { level_m: level }), ...(typeof largest.sigma === 'number' ? { sigma_m: largest.sigma } : {}),
     reason: largest.reason, doubt_m: doubt === null || area === 0 ? null : doubt / area, doubt_m3: doubt, crossings: sum((h) => h.crossings) };
 }
@@ -171,7 +180,7 @@ class Row {
   private readonly choice: HTMLSelectElement;
   private readonly level: HTMLInputElement;
 
-  constructor(readonly item: ReviewItem, rank: string, why: string, private readonly absolute: number | null, columns: Column[],
+  constructor(readonly item: ReviewItem, rank: string, private readonly absolute: number | null, cells: HTMLElement[],
     private readonly marks: Marks, changed: () => void) {
     const name = `hole ${holesText(item)}`;
     this.hole = item.hole;
@@ -182,7 +191,7 @@ class Row {
       title: `${hasLevelRim(item) ? '' : 'The rim is not known to be level. '}A height of the scene\u2019s CRS in metres. Without one the water gets the level of its shore.`,
       'aria-label': `level of ${name} [m]`, input: () => { this.store('water'); changed(); } });
     this.element = el('tr', { tabindex: '0', 'aria-label': [rank, name].filter(Boolean).join(', '), 'data-hole': String(item.hole) },
-      ...columns.map((column) => el('td', { class: column.class ?? (column.isNumber ? 'number' : '') }, column.text({ item, rank, absolute, why }))),
+      ...cells,
       el('td', {}, el('div', { class: 'decide' }, this.choice, this.level)));
     this.show();
   }
@@ -215,6 +224,20 @@ class Row {
   }
 }
 
+// Where a picture of a hole is, and what shows it if that is no place of the page.
+export interface PictureLink { href: string; show?: () => void }
+
+export interface QueueTexts {
+  addHint: string;      // how a fill that is not in the queue gets a row
+  commandHint?: string;
+  pictureOf: (hole: number) => PictureLink | null;
+}
+
+function pictureLink(text: string, { href, show }: PictureLink): HTMLElement {
+  const title = 'show its picture';
+  return el('a', show ? { href, title, click: (event) => { event.preventDefault(); show(); } } : { href, title }, text);
+}
+
 export interface ReviewQueue {
   element: HTMLElement;
   canDecide: (hole: Hole) => boolean; // false: there is no outline for the file
@@ -222,19 +245,26 @@ export interface ReviewQueue {
 }
 
 // The marks are those of this scene, date and folder. `holes`: those of the table, which can be decided on as well.
-// `command` makes use of the file, and `hint` says how.
+// `command` makes use of the file.
 export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 'out'>, review: Review, holes: Hole[],
-  command: string | null = null, hint = ''): ReviewQueue {
+  command: string | null, { addHint, commandHint, pictureOf }: QueueTexts): ReviewQueue {
   const marks = new Marks(['tilemend decisions', report.scene ?? '', report.date ?? '', ...(report.out ? [report.out] : [])].join(' '));
   const reasons = new Map((report.look_at ?? []).flatMap((look: LookAt) => holesOf(look).map((hole) => [hole, look.why ?? ''])));
+  const holeOf = new Map(holes.map((hole) => [hole.id, hole]));
   const withoutOutline = new Set(review.without_outline);
   const hasCrossings = [...review.items, ...holes].some(({ crossings }) => crossings);
   const columns = COLUMNS.filter(({ title }) => title !== 'crossings' || hasCrossings);
   const rowOf = new Map<number, Row>(); // by each hole of a row
   const makeRow = (item: ReviewItem, rank: string): Row => {
-    const absolute = item.level_m === undefined || review.z === null ? null : item.level_m + review.z;
+    const level = flatLevelOf(holeOf.get(item.hole)) ?? item.level_m; // as the caption and the table have it
+    const absolute = level === undefined || review.z === null ? null : level + review.z;
     const why = holesOf(item).map((hole) => reasons.get(hole)).find(Boolean) ?? '';
-    const row = new Row(item, rank, why, absolute, columns, marks, () => tell());
+    const picture = holesOf(item).map(pictureOf).find(Boolean);
+    const cells = columns.map((column) => {
+      const text = column.text({ item, rank, absolute, why });
+      return el('td', { class: column.class ?? (column.isNumber ? 'number' : '') }, picture && column.title === 'hole' ? pictureLink(text, picture) : text);
+    });
+    const row = new Row(item, rank, absolute, cells, marks, () => tell());
     for (const hole of item.holes) rowOf.set(hole, row);
     return row;
   };
@@ -301,6 +331,7 @@ export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 
     const target = event.target as HTMLElement, element = target.closest('tr');
     const row = allRows().find((r) => r.element === element);
     if (!row || !element) return;
+    if (target instanceof HTMLAnchorElement && event.key === 'Enter') return; // follows it
     if (target !== element) {
       if (event.key === 'Enter' || event.key === 'Escape') element.focus();
       return;
@@ -322,11 +353,11 @@ export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 
   tell();
   const queue = el('div', { class: 'review' },
     el('p', { class: 'quiet' }, (rows.length === 0 ? 'No fill waits for a decision. ' : 'Fills by their doubt: the error of height that is to be expected, times the area. '),
-      ...(rows.length === 0 ? [] : [el('span', { class: 'keys' }, 'In a row: \u2191 \u2193 to move, A accept, W water, G ground, O leave open, X not decided. '), 'Levels are heights of the scene\u2019s CRS. ' +
+      ...(rows.length === 0 ? [] : [el('span', { class: 'hint' }, 'In a row: \u2191 \u2193 to move, A accept, W water, G ground, O leave open, X not decided. '), 'Levels are heights of the scene\u2019s CRS. ' +
       '\u201cRedo as water\u201d takes the level that is typed, or that of the shore if none is; that of a level rim is there already. ']),
-      '\u201cDecide\u201d in the table of holes adds any other fill. The file has the decisions of earlier rounds as well. This makes the fills anew that are to be redone' +
+      el('span', { class: 'hint' }, `${addHint} `), 'The file has the decisions of earlier rounds as well. This makes the fills anew that are to be redone' +
       (command ? ':' : ': tilemend run with --decisions FILE and the same scene, folder and options.')),
-    ...(command ? [copyable(command)] : []), ...(command && hint ? [el('p', { class: 'quiet' }, hint)] : []),
+    ...(command ? [copyable(command)] : []), ...(command && commandHint ? [el('p', { class: 'quiet' }, commandHint)] : []),
     el('div', { class: 'filters' }, download, forget, status),
     box, more, earlierBox);
   if (review.decided) void readEarlier().then((earlier) => { earlierBox.replaceChildren(earlierTable(groupsOf(earlier), undone, tell)); });
