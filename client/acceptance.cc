@@ -14,6 +14,7 @@
 #include "client/carried_files.h"
 #include "client/checked_tile.h"
 #include "client/coarser_levels.h"
+#include "client/fill_owners.h"
 #include "client/hole_numbers.h"
 #include "client/left_holes.h"
 #include "client/lost_fills.h"
@@ -198,12 +199,15 @@ class AcceptanceCheck {
         {AddedFault::kTurnedEdge, kTurnedEdge},   {AddedFault::kFlatTriangle, kFlatTriangle}};
     const CellId cell = input_.scene.tiles[t].cell;
     AddedFindings found = FindAddedFaults(before, after, change.added);
+    FillOwners owners(numbers_, cell, after, change.added);
     if (reported_.overlap > 0) CoverOpenEdges(after, found.open);
     for (const auto& [fault, kind] : kFaults) {
       const auto places = found.faults.find(fault);
       if (places == found.faults.end()) continue;
-      for (const Point3& p : places->second) Add(kind, cell, p);
+      for (const AddedFaultPlace& p : places->second)
+        Add(kind, cell, p.at, owners.CrossedText(p), owners.Of(p.triangle));
     }
+    for (OpenEdge& e : found.open) e.hole = owners.Of(e.triangle).value_or(-1);
     edges_.Add(t, cell.row, found.open);
     originals_.Add(cell.row, found.open);
     if (reported_.overlap > 0) strips_[t] = {cell, StripOf(cell, after, found.inner)};
@@ -269,12 +273,12 @@ class AcceptanceCheck {
   void Resolve(int32_t row) {
     const JoinedEdges::Released released = edges_.ReleaseBelow(row);
     for (const NewOpenEdge& e : released.crowded) {
-      Add(kNonManifoldEdge, input_.scene.tiles[e.tile].cell, (e.edge.from + e.edge.to) / 2, "between tiles");
+      AddEdge(kNonManifoldEdge, e, "between tiles");
     }
     // The same edge in two layers that lie over each other is no seam.
     if (reported_.overlap <= 0) {
       for (const NewOpenEdge& e : released.turned) {
-        Add(kTurnedEdge, input_.scene.tiles[e.tile].cell, (e.edge.from + e.edge.to) / 2, "between tiles");
+        AddEdge(kTurnedEdge, e, "between tiles");
       }
     }
     for (const NewOpenEdge& e : released.open) JudgeOpenEdge(e);
@@ -290,28 +294,32 @@ class AcceptanceCheck {
   }
 
   void JudgeOpenEdge(const NewOpenEdge& open) {
-    if (!MayBeOpen(open)) AddOpenEdge(open);
+    if (!MayBeOpen(open)) AddEdge(kOpenEdge, open);
   }
 
-  void AddOpenEdge(const NewOpenEdge& open) {
-    Add(kOpenEdge, input_.scene.tiles[open.tile].cell, (open.edge.from + open.edge.to) / 2);
+  // An edge without a new triangle may be one of a hole's boundary.
+  void AddEdge(AcceptanceKind kind, const NewOpenEdge& e, std::string note = "") {
+    const CellId cell = input_.scene.tiles[e.tile].cell;
+    std::optional<int64_t> hole = numbers_.OfRim(cell, {{e.edge.from, e.edge.to}});
+    if (e.edge.hole >= 0) hole = e.edge.hole;
+    Add(kind, cell, (e.edge.from + e.edge.to) / 2, std::move(note), hole);
   }
 
   bool MayBeOpen(const NewOpenEdge& open) {
     const CellId cell = input_.scene.tiles[open.tile].cell;
     const Point3 middle = (open.edge.from + open.edge.to) / 2;
-    return IsCovered(cell, middle, open.edge.is_inner) || open.edge.is_covered ||
+    return IsCovered(cell, middle, open.edge) || open.edge.is_covered ||
            rim_.HasEdge(cell, open.edge.from, open.edge.to, originals_.EndsOf(open.edge)) ||
            left_.AreAt(middle.head<2>(), rim_.NeighboursAt(cell, middle));
   }
 
   void AddLostFills() {
-    for (const NewOpenEdge& open : lost_.Lost()) AddOpenEdge(open);
+    for (const NewOpenEdge& open : lost_.Lost()) AddEdge(kOpenEdge, open);
   }
 
   // Whether the tile of a neighbour lies over or under p. Where both have fills there, off their rims, counts
   // how far they are apart: at the rims they are as far apart as the originals.
-  bool IsCovered(CellId cell, const Point3& p, bool is_inner) {
+  bool IsCovered(CellId cell, const Point3& p, const OpenEdge& edge) {
     if (reported_.overlap <= 0) return false;
     bool covered = false;
     for (const CellId other : rim_.NeighboursAt(cell, p)) {
@@ -320,11 +328,12 @@ class AcceptanceCheck {
       if (kept == strips_.end()) continue;
       const BorderStrip::Nearest nearest = kept->second.strip.NearestTo(p);
       covered = covered || (nearest.is_covered && std::abs(nearest.height) <= kCoverReach);
-      if (!nearest.is_covered || !nearest.is_inner || !is_inner) continue;
+      if (!nearest.is_covered || !nearest.is_inner || !edge.is_inner) continue;
       BorderTally& tally = borders_[std::minmax(cell, other)];
       ++tally.places;
       if (std::abs(nearest.height) > kMostApart) {
-        tally.apart.push_back({cell, p, absl::StrFormat("%.3f m", std::abs(nearest.height))});
+        const std::optional<int64_t> hole = edge.hole >= 0 ? std::optional(edge.hole) : std::nullopt;
+        tally.apart.push_back({cell, p, absl::StrFormat("%.3f m", std::abs(nearest.height)), hole});
       }
     }
     return covered;
@@ -335,7 +344,9 @@ class AcceptanceCheck {
       result_.overlap_places += tally.places;
       const double allowed = std::max(1.0, kShareApart * static_cast<double>(tally.places));
       if (static_cast<double>(tally.apart.size()) <= allowed) continue;
-      for (const AcceptancePlace& place : tally.apart) Add(kFillsApart, place.cell, place.at, place.note);
+      for (const AcceptancePlace& place : tally.apart) {
+        Add(kFillsApart, place.cell, place.at, place.note, place.hole);
+      }
     }
   }
 
