@@ -87,7 +87,7 @@ class AcceptanceCheck {
         levels_(reported_.levels),
         files_(input_.scene.root, input_.out) {
     for (const AcceptanceKindText& text : kAcceptanceKinds)
-      result_.findings.push_back({text.name, text.label, text.is_fault, 0, {}});
+      result_.findings.push_back({text.name, text.one, text.many, text.is_fault, 0, {}});
   }
 
   absl::StatusOr<Acceptance> Run(const StepWatcher& watcher) {
