@@ -15,6 +15,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr size_t kShownPlaces = 3;  // of one kind, on a terminal
 constexpr char kChapter[] = "user guide, \"If an output is not accepted\" (docs/user-guide.md)";
+constexpr char kOtherCount[] =
+    "`crossings` in the report may be lower: it does not count crossings with fills made later, or with original "
+    "triangles that pass through the hole's boundary (`rim_crossed`)";
+
 std::string PlaceText(const AcceptancePlace& place) {
   if (!place.at) return Printable(place.note);
   std::string text = absl::StrFormat("[%.2f,%.2f,%.2f] in cell %d,%d", place.at->x(), place.at->y(), place.at->z(),
@@ -22,6 +26,12 @@ std::string PlaceText(const AcceptancePlace& place) {
   if (place.hole) absl::StrAppend(&text, ", hole ", *place.hole);
   if (!place.note.empty()) absl::StrAppend(&text, ": ", Printable(place.note));
   return text;
+}
+
+bool HasCrossings(const Acceptance& acceptance) {
+  return std::ranges::any_of(acceptance.findings, [](const AcceptanceFinding& f) {
+    return f.count > 0 && (f.name == "crossed_fills" || f.name == "crossed_surface");
+  });
 }
 
 }  // namespace
@@ -62,6 +72,7 @@ std::string AcceptanceText(const Acceptance& acceptance) {
     const int64_t more = finding.count - static_cast<int64_t>(shown);
     if (more > 0) absl::StrAppend(&text, "             and ", more, " more\n");
   }
+  if (HasCrossings(acceptance)) absl::StrAppend(&text, "\n", kOtherCount, "\n");
   if (!acceptance.IsAccepted()) absl::StrAppend(&text, "\nwhat to do: ", kChapter, "\n");
   return text;
 }

@@ -138,5 +138,14 @@ TEST(AcceptanceTextTest, OneIsNoPlural) {
   EXPECT_THAT(AcceptanceText(acceptance), HasSubstr("        1  hole left open, as reported (no fault)\n"));
 }
 
+TEST(AcceptanceTextTest, SaysOfCrossingsWhyTheReportHasFewer) {
+  Acceptance acceptance;
+  const AcceptanceKindText& kind = kAcceptanceKinds[kCrossedSurface];
+  acceptance.findings = {{kind.name, kind.one, kind.many, true, 0, {}}};
+  EXPECT_THAT(AcceptanceText(acceptance), testing::Not(HasSubstr("`crossings` in the report")));
+  acceptance.findings[0].count = 5;
+  EXPECT_THAT(AcceptanceText(acceptance), HasSubstr("\n`crossings` in the report"));
+}
+
 }  // namespace
 }  // namespace tilemend
