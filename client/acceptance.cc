@@ -75,6 +75,27 @@ ReportedOutput ReadOutput(const CheckInput& input) {
   return reported;
 }
 
+// What of the surface lies within twice the overlap of the cell's sides, or beyond them.
+BorderStrip StripOf(const Grid& grid, CellId cell, double overlap, const TriMesh& mesh,
+                    const std::vector<bool>& inside_fill) {
+  const Point2 inner(2 * overlap + 0.1, 2 * overlap + 0.1);
+  const Point2 corner = grid.corner + grid.cell_size.cwiseProduct(Point2(cell.col, cell.row));
+  const Point2 lo = corner + inner, hi = corner + grid.cell_size - inner;
+  std::vector<SpaceTriangle> triangles;
+  std::vector<bool> is_inner;
+  for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Triangle& corners = mesh.triangles[t];
+    const SpaceTriangle triangle = {mesh.points[corners[0]], mesh.points[corners[1]], mesh.points[corners[2]]};
+    const bool inside = std::all_of(triangle.begin(), triangle.end(), [&](const Point3& p) {
+      return (p.head<2>().array() > lo.array()).all() && (p.head<2>().array() < hi.array()).all();
+    });
+    if (inside) continue;
+    triangles.push_back(triangle);
+    is_inner.push_back(inside_fill[t]);
+  }
+  return {std::move(triangles), std::move(is_inner)};
+}
+
 class AcceptanceCheck {
  public:
   explicit AcceptanceCheck(CheckInput input)
@@ -210,28 +231,8 @@ class AcceptanceCheck {
     for (OpenEdge& e : found.open) e.hole = owners.Of(e.triangle).value_or(-1);
     edges_.Add(t, cell.row, found.open);
     originals_.Add(cell.row, found.open);
-    if (reported_.overlap > 0) strips_[t] = {cell, StripOf(cell, after, found.inner)};
-  }
-
-  // What of the surface lies within twice the overlap of the cell's sides, or beyond them.
-  BorderStrip StripOf(CellId cell, const TriMesh& mesh, const std::vector<bool>& inside_fill) const {
-    const Grid& grid = input_.scene.grid;
-    const Point2 inner(2 * reported_.overlap + 0.1, 2 * reported_.overlap + 0.1);
-    const Point2 corner = grid.corner + grid.cell_size.cwiseProduct(Point2(cell.col, cell.row));
-    const Point2 lo = corner + inner, hi = corner + grid.cell_size - inner;
-    std::vector<SpaceTriangle> triangles;
-    std::vector<bool> is_inner;
-    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const Triangle& corners = mesh.triangles[t];
-      const SpaceTriangle triangle = {mesh.points[corners[0]], mesh.points[corners[1]], mesh.points[corners[2]]};
-      const bool inside = std::all_of(triangle.begin(), triangle.end(), [&](const Point3& p) {
-        return (p.head<2>().array() > lo.array()).all() && (p.head<2>().array() < hi.array()).all();
-      });
-      if (inside) continue;
-      triangles.push_back(triangle);
-      is_inner.push_back(inside_fill[t]);
-    }
-    return {std::move(triangles), std::move(is_inner)};
+    if (reported_.overlap > 0)
+      strips_[t] = {cell, StripOf(input_.scene.grid, cell, reported_.overlap, after, found.inner)};
   }
 
   // A fill that took the tile's outline for that of its hole would lie over the tile. A tile that was put back has
