@@ -14,6 +14,7 @@
 #include "client/carried_files.h"
 #include "client/checked_tile.h"
 #include "client/coarser_levels.h"
+#include "client/fill_owners.h"
 #include "client/hole_numbers.h"
 #include "client/left_holes.h"
 #include "client/lost_fills.h"
@@ -74,6 +75,27 @@ ReportedOutput ReadOutput(const CheckInput& input) {
   return reported;
 }
 
+// What of the surface lies within twice the overlap of the cell's sides, or beyond them.
+BorderStrip StripOf(const Grid& grid, CellId cell, double overlap, const TriMesh& mesh,
+                    const std::vector<bool>& inside_fill) {
+  const Point2 inner(2 * overlap + 0.1, 2 * overlap + 0.1);
+  const Point2 corner = grid.corner + grid.cell_size.cwiseProduct(Point2(cell.col, cell.row));
+  const Point2 lo = corner + inner, hi = corner + grid.cell_size - inner;
+  std::vector<SpaceTriangle> triangles;
+  std::vector<bool> is_inner;
+  for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Triangle& corners = mesh.triangles[t];
+    const SpaceTriangle triangle = {mesh.points[corners[0]], mesh.points[corners[1]], mesh.points[corners[2]]};
+    const bool inside = std::all_of(triangle.begin(), triangle.end(), [&](const Point3& p) {
+      return (p.head<2>().array() > lo.array()).all() && (p.head<2>().array() < hi.array()).all();
+    });
+    if (inside) continue;
+    triangles.push_back(triangle);
+    is_inner.push_back(inside_fill[t]);
+  }
+  return {std::move(triangles), std::move(is_inner)};
+}
+
 class AcceptanceCheck {
  public:
   explicit AcceptanceCheck(CheckInput input)
@@ -86,7 +108,7 @@ class AcceptanceCheck {
         levels_(reported_.levels),
         files_(input_.scene.root, input_.out) {
     for (const AcceptanceKindText& text : kAcceptanceKinds)
-      result_.findings.push_back({text.name, text.label, text.is_fault, 0, {}});
+      result_.findings.push_back({text.name, text.one, text.many, text.is_fault, 0, {}});
   }
 
   absl::StatusOr<Acceptance> Run(const StepWatcher& watcher) {
@@ -198,36 +220,19 @@ class AcceptanceCheck {
         {AddedFault::kTurnedEdge, kTurnedEdge},   {AddedFault::kFlatTriangle, kFlatTriangle}};
     const CellId cell = input_.scene.tiles[t].cell;
     AddedFindings found = FindAddedFaults(before, after, change.added);
+    FillOwners owners(numbers_, cell, after, change.added);
     if (reported_.overlap > 0) CoverOpenEdges(after, found.open);
     for (const auto& [fault, kind] : kFaults) {
       const auto places = found.faults.find(fault);
       if (places == found.faults.end()) continue;
-      for (const Point3& p : places->second) Add(kind, cell, p);
+      for (const AddedFaultPlace& p : places->second)
+        Add(kind, cell, p.at, owners.CrossedText(p), owners.Of(p.triangle));
     }
+    for (OpenEdge& e : found.open) e.hole = owners.Of(e.triangle).value_or(-1);
     edges_.Add(t, cell.row, found.open);
     originals_.Add(cell.row, found.open);
-    if (reported_.overlap > 0) strips_[t] = {cell, StripOf(cell, after, found.inner)};
-  }
-
-  // What of the surface lies within twice the overlap of the cell's sides, or beyond them.
-  BorderStrip StripOf(CellId cell, const TriMesh& mesh, const std::vector<bool>& inside_fill) const {
-    const Grid& grid = input_.scene.grid;
-    const Point2 inner(2 * reported_.overlap + 0.1, 2 * reported_.overlap + 0.1);
-    const Point2 corner = grid.corner + grid.cell_size.cwiseProduct(Point2(cell.col, cell.row));
-    const Point2 lo = corner + inner, hi = corner + grid.cell_size - inner;
-    std::vector<SpaceTriangle> triangles;
-    std::vector<bool> is_inner;
-    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const Triangle& corners = mesh.triangles[t];
-      const SpaceTriangle triangle = {mesh.points[corners[0]], mesh.points[corners[1]], mesh.points[corners[2]]};
-      const bool inside = std::all_of(triangle.begin(), triangle.end(), [&](const Point3& p) {
-        return (p.head<2>().array() > lo.array()).all() && (p.head<2>().array() < hi.array()).all();
-      });
-      if (inside) continue;
-      triangles.push_back(triangle);
-      is_inner.push_back(inside_fill[t]);
-    }
-    return {std::move(triangles), std::move(is_inner)};
+    if (reported_.overlap > 0)
+      strips_[t] = {cell, StripOf(input_.scene.grid, cell, reported_.overlap, after, found.inner)};
   }
 
   // A fill that took the tile's outline for that of its hole would lie over the tile. A tile that was put back has
@@ -269,12 +274,12 @@ class AcceptanceCheck {
   void Resolve(int32_t row) {
     const JoinedEdges::Released released = edges_.ReleaseBelow(row);
     for (const NewOpenEdge& e : released.crowded) {
-      Add(kNonManifoldEdge, input_.scene.tiles[e.tile].cell, (e.edge.from + e.edge.to) / 2, "between tiles");
+      AddEdge(kNonManifoldEdge, e, "between tiles");
     }
     // The same edge in two layers that lie over each other is no seam.
     if (reported_.overlap <= 0) {
       for (const NewOpenEdge& e : released.turned) {
-        Add(kTurnedEdge, input_.scene.tiles[e.tile].cell, (e.edge.from + e.edge.to) / 2, "between tiles");
+        AddEdge(kTurnedEdge, e, "between tiles");
       }
     }
     for (const NewOpenEdge& e : released.open) JudgeOpenEdge(e);
@@ -290,28 +295,32 @@ class AcceptanceCheck {
   }
 
   void JudgeOpenEdge(const NewOpenEdge& open) {
-    if (!MayBeOpen(open)) AddOpenEdge(open);
+    if (!MayBeOpen(open)) AddEdge(kOpenEdge, open);
   }
 
-  void AddOpenEdge(const NewOpenEdge& open) {
-    Add(kOpenEdge, input_.scene.tiles[open.tile].cell, (open.edge.from + open.edge.to) / 2);
+  // An edge without a new triangle may be one of a hole's boundary.
+  void AddEdge(AcceptanceKind kind, const NewOpenEdge& e, std::string note = "") {
+    const CellId cell = input_.scene.tiles[e.tile].cell;
+    std::optional<int64_t> hole = numbers_.OfRim(cell, {{e.edge.from, e.edge.to}});
+    if (e.edge.hole >= 0) hole = e.edge.hole;
+    Add(kind, cell, (e.edge.from + e.edge.to) / 2, std::move(note), hole);
   }
 
   bool MayBeOpen(const NewOpenEdge& open) {
     const CellId cell = input_.scene.tiles[open.tile].cell;
     const Point3 middle = (open.edge.from + open.edge.to) / 2;
-    return IsCovered(cell, middle, open.edge.is_inner) || open.edge.is_covered ||
+    return IsCovered(cell, middle, open.edge) || open.edge.is_covered ||
            rim_.HasEdge(cell, open.edge.from, open.edge.to, originals_.EndsOf(open.edge)) ||
            left_.AreAt(middle.head<2>(), rim_.NeighboursAt(cell, middle));
   }
 
   void AddLostFills() {
-    for (const NewOpenEdge& open : lost_.Lost()) AddOpenEdge(open);
+    for (const NewOpenEdge& open : lost_.Lost()) AddEdge(kOpenEdge, open);
   }
 
   // Whether the tile of a neighbour lies over or under p. Where both have fills there, off their rims, counts
   // how far they are apart: at the rims they are as far apart as the originals.
-  bool IsCovered(CellId cell, const Point3& p, bool is_inner) {
+  bool IsCovered(CellId cell, const Point3& p, const OpenEdge& edge) {
     if (reported_.overlap <= 0) return false;
     bool covered = false;
     for (const CellId other : rim_.NeighboursAt(cell, p)) {
@@ -320,11 +329,12 @@ class AcceptanceCheck {
       if (kept == strips_.end()) continue;
       const BorderStrip::Nearest nearest = kept->second.strip.NearestTo(p);
       covered = covered || (nearest.is_covered && std::abs(nearest.height) <= kCoverReach);
-      if (!nearest.is_covered || !nearest.is_inner || !is_inner) continue;
+      if (!nearest.is_covered || !nearest.is_inner || !edge.is_inner) continue;
       BorderTally& tally = borders_[std::minmax(cell, other)];
       ++tally.places;
       if (std::abs(nearest.height) > kMostApart) {
-        tally.apart.push_back({cell, p, absl::StrFormat("%.3f m", std::abs(nearest.height))});
+        const std::optional<int64_t> hole = edge.hole >= 0 ? std::optional(edge.hole) : std::nullopt;
+        tally.apart.push_back({cell, p, absl::StrFormat("%.3f m", std::abs(nearest.height)), hole});
       }
     }
     return covered;
@@ -335,7 +345,9 @@ class AcceptanceCheck {
       result_.overlap_places += tally.places;
       const double allowed = std::max(1.0, kShareApart * static_cast<double>(tally.places));
       if (static_cast<double>(tally.apart.size()) <= allowed) continue;
-      for (const AcceptancePlace& place : tally.apart) Add(kFillsApart, place.cell, place.at, place.note);
+      for (const AcceptancePlace& place : tally.apart) {
+        Add(kFillsApart, place.cell, place.at, place.note, place.hole);
+      }
     }
   }
 

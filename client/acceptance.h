@@ -22,8 +22,9 @@ struct AcceptancePlace {
 };
 
 struct AcceptanceFinding {
-  std::string name;   // for programs: "open_edges"
-  std::string label;  // for people: "new open edges"
+  std::string name;  // for programs: "open_edges"
+  std::string one;   // for people: "new open edge"
+  std::string many;  // "new open edges"
   bool is_fault = true;
   int64_t count = 0;
   std::vector<AcceptancePlace> places;  // at most kMostAcceptancePlaces

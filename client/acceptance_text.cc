@@ -5,6 +5,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "client/csv.h"
+#include "client/output.h"
 #include "common/util/text.h"
 
 namespace tilemend {
@@ -14,6 +15,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr size_t kShownPlaces = 3;  // of one kind, on a terminal
 constexpr char kChapter[] = "user guide, \"If an output is not accepted\" (docs/user-guide.md)";
+constexpr char kOtherCount[] =
+    "`crossings` in the report may be lower: it does not count crossings with fills made later, or with original "
+    "triangles that pass through the hole's boundary (`rim_crossed`)";
 
 std::string PlaceText(const AcceptancePlace& place) {
   if (!place.at) return Printable(place.note);
@@ -22,6 +26,12 @@ std::string PlaceText(const AcceptancePlace& place) {
   if (place.hole) absl::StrAppend(&text, ", hole ", *place.hole);
   if (!place.note.empty()) absl::StrAppend(&text, ": ", Printable(place.note));
   return text;
+}
+
+bool HasCrossings(const Acceptance& acceptance) {
+  return std::ranges::any_of(acceptance.findings, [](const AcceptanceFinding& f) {
+    return f.count > 0 && (f.name == "crossed_fills" || f.name == "crossed_surface");
+  });
 }
 
 }  // namespace
@@ -34,7 +44,9 @@ std::string VerdictOf(const Acceptance& acceptance) {
   }
   std::vector<std::string> faults;
   for (const AcceptanceFinding& finding : acceptance.findings) {
-    if (finding.is_fault && finding.count > 0) faults.push_back(absl::StrCat(finding.count, " ", finding.label));
+    if (finding.is_fault && finding.count > 0) {
+      faults.push_back(Counted(static_cast<size_t>(finding.count), finding.one, finding.many));
+    }
   }
   std::string text = "not accepted: ";
   for (size_t i = 0; i < faults.size(); ++i) absl::StrAppend(&text, i == 0 ? "" : ", ", faults[i]);
@@ -43,18 +55,24 @@ std::string VerdictOf(const Acceptance& acceptance) {
 
 std::string AcceptanceText(const Acceptance& acceptance) {
   std::string text = absl::StrCat(VerdictOf(acceptance), "\n\n");
-  absl::StrAppendFormat(&text,
-                        "compared: %d tiles, %d original triangles, %d cleared, %d new, %d files, %d fills of water, "
-                        "%d places where fills overlap\n\n",
-                        acceptance.tiles, acceptance.original_faces, acceptance.cleared_faces, acceptance.added_faces,
-                        acceptance.files, acceptance.water_fills, acceptance.overlap_places);
+  const auto counted = [](int64_t count, const char* one, const char* many) {
+    return Counted(static_cast<size_t>(count), one, many);
+  };
+  absl::StrAppend(
+      &text, "compared: ", counted(acceptance.tiles, "tile", "tiles"), ", ",
+      counted(acceptance.original_faces, "original triangle", "original triangles"), ", ", acceptance.cleared_faces,
+      " cleared, ", acceptance.added_faces, " new, ", counted(acceptance.files, "file", "files"), ", ",
+      counted(acceptance.water_fills, "fill of water", "fills of water"), ", ",
+      counted(acceptance.overlap_places, "place where fills overlap", "places where fills overlap"), "\n\n");
   for (const AcceptanceFinding& finding : acceptance.findings) {
-    absl::StrAppendFormat(&text, "%9d  %s%s\n", finding.count, finding.label, finding.is_fault ? "" : " (no fault)");
+    absl::StrAppendFormat(&text, "%9d  %s%s\n", finding.count, finding.count == 1 ? finding.one : finding.many,
+                          finding.is_fault ? "" : " (no fault)");
     const size_t shown = std::min(finding.places.size(), kShownPlaces);
     for (size_t i = 0; i < shown; ++i) absl::StrAppend(&text, "             ", PlaceText(finding.places[i]), "\n");
     const int64_t more = finding.count - static_cast<int64_t>(shown);
     if (more > 0) absl::StrAppend(&text, "             and ", more, " more\n");
   }
+  if (HasCrossings(acceptance)) absl::StrAppend(&text, "\n", kOtherCount, "\n");
   if (!acceptance.IsAccepted()) absl::StrAppend(&text, "\nwhat to do: ", kChapter, "\n");
   return text;
 }

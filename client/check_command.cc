@@ -1,5 +1,6 @@
 // `tilemend check`: what is wrong with a mesh, the tiles of a scene, or an output.
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -40,13 +41,22 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr size_t kMostPlaces = 10;  // of a kind over all tiles
+constexpr size_t kCountColumn = 9;  // characters of the column of counts in the table
 
-constexpr std::pair<Defect, const char*> kNames[] = {
-    {Defect::kNonManifoldEdge, "nonmanifold_edges"}, {Defect::kNonManifoldVertex, "nonmanifold_vertices"},
-    {Defect::kTurnedEdge, "turned_edges"},           {Defect::kSelfIntersection, "self_intersections"},
-    {Defect::kCreasedEdge, "creased_edges"},         {Defect::kSpike, "spikes"},
-    {Defect::kSmallComponent, "small_components"},   {Defect::kDuplicateTriangle, "duplicate_triangles"},
-    {Defect::kFlatTriangle, "flat_triangles"}};
+struct DefectText {
+  Defect defect;
+  const char *name, *one, *many;  // for programs; for people, of one and of several
+};
+constexpr DefectText kNames[] = {
+    {Defect::kNonManifoldEdge, "nonmanifold_edges", "nonmanifold edge", "nonmanifold edges"},
+    {Defect::kNonManifoldVertex, "nonmanifold_vertices", "nonmanifold vertex", "nonmanifold vertices"},
+    {Defect::kTurnedEdge, "turned_edges", "turned edge", "turned edges"},
+    {Defect::kSelfIntersection, "self_intersections", "self intersection", "self intersections"},
+    {Defect::kCreasedEdge, "creased_edges", "creased edge", "creased edges"},
+    {Defect::kSpike, "spikes", "spike", "spikes"},
+    {Defect::kSmallComponent, "small_components", "small component", "small components"},
+    {Defect::kDuplicateTriangle, "duplicate_triangles", "duplicate triangle", "duplicate triangles"},
+    {Defect::kFlatTriangle, "flat_triangles", "flat triangle", "flat triangles"}};
 constexpr std::pair<SingleType, const char*> kKinds[] = {{SingleType::kCrack, "crack"},
                                                          {SingleType::kDislocation, "dislocation"},
                                                          {SingleType::kAnnular, "annular"},
@@ -162,7 +172,7 @@ Json PlaceJson(const Point3& p) { return {p.x(), p.y(), p.z()}; }
 
 Json DefectsJson(const Findings& all) {
   Json json = Json::object();
-  for (const auto& [defect, name] : kNames) {
+  for (const auto& [defect, name, one, many] : kNames) {
     const auto found = all.defects.find(defect);
     const DefectFinding finding = found == all.defects.end() ? DefectFinding() : found->second;
     Json at = Json::array();
@@ -217,45 +227,48 @@ int64_t CountFaults(const Json& json) {
   return count;
 }
 
+// The start of a row of the table: the number at the right of its column, then what is counted.
+std::string CountRow(const Json& count, const std::string& one, const std::string& many) {
+  const std::string text = Counted(count.get<size_t>(), " " + one, " " + many);
+  return std::string(kCountColumn - std::min(kCountColumn, text.find(' ')), ' ') + text;
+}
+
 // The files that are not as they should be, one line for each kind that there is.
 std::string FilesText(const Json& json) {
-  constexpr std::pair<const char*, const char*> kLines[] = {
-      {"missing_tiles", "missing tiles"},
-      {"longer_files", "files with bytes after the end of their mesh"},
-      {"other_meshes", "other meshes among the tiles (no fault)"}};
+  constexpr std::array<const char*, 3> kLines[] = {
+      {"missing_tiles", "missing tile", "missing tiles"},
+      {"longer_files", "file with bytes after the end of its mesh", "files with bytes after the end of their mesh"},
+      {"other_meshes", "other mesh among the tiles (no fault)", "other meshes among the tiles (no fault)"}};
   std::string text;
-  for (const auto& [name, label] : kLines) {
+  for (const auto& [name, one, many] : kLines) {
     const Json& files = json[name];
     if (files["files"].empty()) continue;
-    absl::StrAppend(&text, absl::StrFormat("%9d  %s, the first ", files["count"].get<int64_t>(), label),
+    absl::StrAppend(&text, CountRow(files["count"], one, many), ", the first ",
                     Printable(files["files"][0].get<std::string>()), "\n");
   }
   return text;
 }
 
 void PrintTable(const Json& json) {
-  std::string text = absl::StrFormat("checked: %s, %d triangles\n", Printable(json["path"].get<std::string>()),
-                                     json["triangles"].get<int64_t>());
-  for (const auto& [name, finding] : json["defects"].items()) {
-    std::string label = name;
-    std::replace(label.begin(), label.end(), '_', ' ');
-    absl::StrAppend(&text, absl::StrFormat("%9d  %s", finding["count"].get<int64_t>(), label));
-    if (!finding["at"].empty()) absl::StrAppend(&text, ", the first at ", finding["at"][0].dump());
-    text += '\n';
+  std::string text = absl::StrCat("checked: ", Printable(json["path"].get<std::string>()), ", ",
+                                  Counted(json["triangles"].get<size_t>(), "triangle"), "\n");
+  const auto first = [](const Json& at) { return at.empty() ? "" : absl::StrCat(", the first at ", at[0].dump()); };
+  for (const auto& [defect, name, one, many] : kNames) {
+    const Json& finding = json["defects"][name];
+    absl::StrAppend(&text, CountRow(finding["count"], one, many), first(finding["at"]), "\n");
   }
   const Json& holes = json["holes"];
-  const auto first = [](const Json& at) { return at.empty() ? "" : absl::StrCat(", the first at ", at[0].dump()); };
   const int64_t small = holes["small"].get<int64_t>();
-  absl::StrAppend(&text, absl::StrFormat("%9d  holes", holes["all"].get<int64_t>()),
+  absl::StrAppend(&text, CountRow(holes["all"], "hole", "holes"),
                   small > 0 ? absl::StrCat(", ", small, " of them small") : "", first(holes["at"]), "\n");
   for (const auto& [name, count] : holes["single"].items()) {
     if (count.get<int64_t>() > 0) absl::StrAppend(&text, absl::StrFormat("%9d    %s\n", count.get<int64_t>(), name));
   }
   const int64_t open = holes["open"].get<int64_t>();
   if (open > 0) absl::StrAppend(&text, absl::StrFormat("%9d    over a border between tiles\n", open));
-  absl::StrAppend(&text, absl::StrFormat("%9d  boundary edges in no loop", holes["edges_in_no_loop"].get<int64_t>()),
-                  first(holes["edges_in_no_loop_at"]),
-                  absl::StrFormat("\n%9d  outlines (no fault)\n", json["outlines"].get<int64_t>()), FilesText(json));
+  absl::StrAppend(&text, CountRow(holes["edges_in_no_loop"], "boundary edge in no loop", "boundary edges in no loop"),
+                  first(holes["edges_in_no_loop_at"]), "\n",
+                  CountRow(json["outlines"], "outline (no fault)", "outlines (no fault)"), "\n", FilesText(json));
   std::fputs(text.c_str(), stdout);
 }
 

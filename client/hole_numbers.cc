@@ -5,6 +5,7 @@
 #include <limits>
 #include <tuple>
 
+#include "client/rounded_place.h"
 #include "common/mesh/segment_distance.h"
 
 namespace tilemend {
@@ -24,6 +25,35 @@ double DistanceToLines(const std::vector<std::vector<Point2>>& lines, const Poin
 double DistanceInHeight(const std::optional<ReportedOutput::HeightRange>& range, double height) {
   return range ? std::max({0.0, range->lowest - height, height - range->highest}) : 0;
 }
+
+using Edge = std::pair<Point3, Point3>;
+
+// The edges of a fill's rim, by the x of their middles.
+class RimEdges {
+ public:
+  explicit RimEdges(std::vector<Edge> edges) : edges_(std::move(edges)) {
+    std::ranges::sort(edges_, {}, [](const Edge& e) { return MiddleX(e); });
+  }
+
+  // Marks the edges that are this segment, seen from above, and within the range of heights.
+  void Mark(const Point2& a, const Point2& b, const std::optional<ReportedOutput::HeightRange>& range,
+            std::vector<bool>& marked) const {
+    const double x = (a.x() + b.x()) / 2;
+    const auto first = std::ranges::lower_bound(edges_, x - kOfRounding, {}, [](const Edge& e) { return MiddleX(e); });
+    for (auto it = first; it != edges_.end() && MiddleX(*it) <= x + kOfRounding; ++it) {
+      const auto& [from, to] = *it;
+      const double off = std::max(DistanceInHeight(range, from.z()), DistanceInHeight(range, to.z()));
+      if (off <= kAtBoundary && IsRoundedTo(a, b, from, to)) marked[static_cast<size_t>(it - edges_.begin())] = true;
+    }
+  }
+
+  size_t size() const { return edges_.size(); }
+
+ private:
+  static double MiddleX(const Edge& e) { return (e.first.x() + e.second.x()) / 2; }
+
+  std::vector<Edge> edges_;
+};
 
 }  // namespace
 
@@ -54,6 +84,27 @@ std::optional<int64_t> HoleNumbers::At(CellId cell, const Point3& p) const {
     const std::tuple key(distance, !hole.heights.has_value(), in_height, is_outside, from_boundary);
     if (best && key >= best_key) continue;
     best = number;
+    best_key = key;
+  }
+  return best;
+}
+
+std::optional<int64_t> HoleNumbers::OfRim(CellId cell, std::vector<std::pair<Point3, Point3>> rim) const {
+  const auto in_cell = holes_.find(ToString(cell));
+  if (in_cell == holes_.end()) return std::nullopt;
+  const RimEdges edges(std::move(rim));
+  std::optional<int64_t> best;
+  std::pair<int64_t, int64_t> best_key = {0, 0};  // edges; less the segments of the boundary
+  for (const auto& [number, hole] : in_cell->second) {
+    std::vector<bool> marked(edges.size(), false);
+    int64_t segments = 0;
+    for (const std::vector<Point2>& line : hole.lines) {
+      segments += std::ssize(line) - 1;
+      for (size_t k = 1; k < line.size(); ++k) edges.Mark(line[k - 1], line[k], hole.heights, marked);
+    }
+    const std::pair<int64_t, int64_t> key(std::ranges::count(marked, true), -segments);
+    if (key.first == 0 || (best_key.first > 0 && key < best_key)) continue;
+    best = key == best_key ? std::nullopt : std::optional(number);
     best_key = key;
   }
   return best;

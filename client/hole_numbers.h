@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "client/reported_output.h"
@@ -28,6 +29,12 @@ class HoleNumbers {
   // one around p, then the one whose boundary is nearest from above. None if no boundary of a filled hole of the cell
   // is known. O(points of the cell's boundaries).
   std::optional<int64_t> At(CellId cell, const Point3& p) const;
+
+  // The number of the hole of this cell whose boundary has most of these edges of a fill's rim. An edge is one of a
+  // boundary if its ends are, rounded to millimetres and seen from above, and its heights are within those of the
+  // hole's rim and water, if they are known. Of holes with as many edges the one whose boundary has fewer others. None
+  // if no boundary has any, or two holes are equal in both. O((points of the cell's boundaries + edges) log edges).
+  std::optional<int64_t> OfRim(CellId cell, std::vector<std::pair<Point3, Point3>> rim) const;
 
  private:
   struct Hole {

@@ -2,16 +2,9 @@
 
 #include <algorithm>
 
+#include "client/rounded_place.h"
+
 namespace tilemend {
-namespace {
-
-constexpr double kOfRounding = 0.0006;  // metres in x and y: half a millimetre, and what the origin takes
-
-bool IsRoundedTo(const Point2& rounded, const Point3& p) {
-  return (rounded - p.head<2>()).cwiseAbs().maxCoeff() <= kOfRounding;
-}
-
-}  // namespace
 
 LostFills::LostFills(const std::vector<std::vector<Point2>>& rims) : rims_(static_cast<int32_t>(rims.size())) {
   std::vector<Eigen::AlignedBox3d> boxes;
@@ -31,8 +24,7 @@ bool LostFills::AnyAt(const Point3& a, const Point3& b, const Visit& visit) cons
   const Point3 middle((a.x() + b.x()) / 2, (a.y() + b.y()) / 2, 0), reach(kOfRounding, kOfRounding, 0);
   return tree_.AnyMeeting({middle - reach, middle + reach}, [&](int32_t i) {
     const Segment& s = segments_[i];
-    const bool is_same = (IsRoundedTo(s.a, a) && IsRoundedTo(s.b, b)) || (IsRoundedTo(s.a, b) && IsRoundedTo(s.b, a));
-    return is_same && visit(i);
+    return IsRoundedTo(s.a, s.b, a, b) && visit(i);
   });
 }
 

@@ -163,8 +163,10 @@ std::string Table(const std::vector<std::string>& headings, const std::vector<st
   return text;
 }
 
-std::string Counted(size_t count, const std::string& noun) {
-  return absl::StrCat(count, " ", noun, count == 1 ? "" : "s");
+std::string Counted(size_t count, const std::string& noun) { return Counted(count, noun, noun + "s"); }
+
+std::string Counted(size_t count, const std::string& one, const std::string& many) {
+  return absl::StrCat(count, " ", count == 1 ? one : many);
 }
 
 namespace {

@@ -31,6 +31,8 @@ std::string Table(const std::vector<std::string>& headings, const std::vector<st
 
 // "1 tension", "2 tensions".
 std::string Counted(size_t count, const std::string& noun);
+// "1 fill of water", "2 fills of water".
+std::string Counted(size_t count, const std::string& one, const std::string& many);
 
 // Begins with the name that the job has.
 std::string JobText(const v1::Job& job, OutputFormat format);

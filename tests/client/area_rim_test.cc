@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "client/acceptance_kinds.h"
 #include "client/acceptance_text.h"
 #include "client/carried_files.h"
 #include "client/original_rims.h"
@@ -106,8 +107,9 @@ TEST(CarriedFilesTest, MaterialFilesMayBeLongerAndImagesMayNot) {
 
 TEST(AcceptanceTextTest, TheVerdictNamesTheFaultsAlone) {
   Acceptance acceptance;
-  acceptance.findings = {{"open_edges", "new open edges", true, 2, {{{1, 2}, Point3(3, 4, 5), "", 20}}},
-                         {"left_holes", "holes left open, as reported", false, 4, {}}};
+  acceptance.findings = {
+      {"open_edges", "new open edge", "new open edges", true, 2, {{{1, 2}, Point3(3, 4, 5), "", 20}}},
+      {"left_holes", "hole left open, as reported", "holes left open, as reported", false, 4, {}}};
   EXPECT_EQ(VerdictOf(acceptance), "not accepted: 2 new open edges");
   EXPECT_THAT(AcceptanceText(acceptance), HasSubstr("[3.00,4.00,5.00] in cell 1,2, hole 20\n             and 1 more"));
   EXPECT_THAT(AcceptanceCsv(acceptance), HasSubstr("open_edges,yes,1,2,3.0000,4.0000,5.0000,20,\r\n"));
@@ -120,6 +122,29 @@ TEST(AcceptanceTextTest, TheVerdictNamesTheFaultsAlone) {
   EXPECT_FALSE(AcceptanceJson(acceptance)["findings"]["open_edges"]["places"][0].contains("hole"));
   acceptance.findings[0].count = 0;
   EXPECT_THAT(VerdictOf(acceptance), testing::StartsWith("accepted"));
+}
+
+TEST(AcceptanceTextTest, OneIsNoPlural) {
+  Acceptance acceptance;
+  acceptance.tiles = acceptance.original_faces = acceptance.files = acceptance.water_fills = 1;
+  acceptance.overlap_places = 1;
+  for (const AcceptanceKindText& text : kAcceptanceKinds) {
+    acceptance.findings.push_back({text.name, text.one, text.many, text.is_fault, 1, {}});
+    EXPECT_STRNE(text.one, text.many);
+  }
+  EXPECT_THAT(VerdictOf(acceptance), HasSubstr(", 1 new open edge, 1 filled triangle that crosses another, "));
+  EXPECT_THAT(AcceptanceText(acceptance), HasSubstr("compared: 1 tile, 1 original triangle, 0 cleared, 0 new, 1 file, "
+                                                    "1 fill of water, 1 place where fills overlap\n"));
+  EXPECT_THAT(AcceptanceText(acceptance), HasSubstr("        1  hole left open, as reported (no fault)\n"));
+}
+
+TEST(AcceptanceTextTest, SaysOfCrossingsWhyTheReportHasFewer) {
+  Acceptance acceptance;
+  const AcceptanceKindText& kind = kAcceptanceKinds[kCrossedSurface];
+  acceptance.findings = {{kind.name, kind.one, kind.many, true, 0, {}}};
+  EXPECT_THAT(AcceptanceText(acceptance), testing::Not(HasSubstr("`crossings` in the report")));
+  acceptance.findings[0].count = 5;
+  EXPECT_THAT(AcceptanceText(acceptance), HasSubstr("\n`crossings` in the report"));
 }
 
 }  // namespace

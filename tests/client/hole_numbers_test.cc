@@ -121,6 +121,38 @@ TEST(HoleNumbersTest, TheHoleOfKnownHeightBeforeOneOfUnknownHeight) {
   }
 }
 
+using Rim = std::vector<std::pair<Point3, Point3>>;
+
+TEST(HoleNumbersTest, OfARimTheHoleWithMostOfItsEdges) {
+  const HoleNumbers numbers = NumbersOf({Feature(3, "+000_+000", "filled", "Polygon", Json::array({Square(0, 0, 9)})),
+                                         Feature(4, "+000_+000", "filled", "Polygon", Json::array({Square(9, 0, 9)}))});
+  const Point3 a(0, 0, 1), b(9, 0.0004, 1), c(18, 0, 2), d(18, 9, 2), e(9, 9, 3);
+  EXPECT_EQ(numbers.OfRim({0, 0}, {{a, b}, {d, c}, {e, d}}), 4) << "edges in any direction";
+  EXPECT_EQ(numbers.OfRim({0, 0}, {{b, a}}), 3);
+  EXPECT_EQ(numbers.OfRim({0, 0}, {{a, c}, {b, d}}), std::nullopt) << "vertices of boundaries, but no edges";
+  EXPECT_EQ(numbers.OfRim({0, 0}, {{a, b}, {b, c}}), std::nullopt) << "one of each";
+  EXPECT_EQ(numbers.OfRim({1, 0}, {{a, b}}), std::nullopt) << "of another cell";
+  EXPECT_EQ(numbers.OfRim({0, 0}, {}), std::nullopt);
+}
+
+// From above the edges are the same.
+TEST(HoleNumbersTest, OfARimTheHoleAtItsHeight) {
+  const HoleNumbers numbers = NumbersOf({Feature(3, "+000_+000", "filled", "Polygon", Json::array({Square(0, 0, 9)})),
+                                         Feature(4, "+000_+000", "filled", "Polygon", Json::array({Square(0, 0, 9)}))},
+                                        {Row(3, {2, 4}), Row(4, {6, 8})});
+  const auto rim = [](double z) { return Rim{{{0, 0, z}, {9, 0, z}}}; };
+  EXPECT_EQ(numbers.OfRim({0, 0}, rim(2.5)), 3);
+  EXPECT_EQ(numbers.OfRim({0, 0}, rim(8)), 4);
+  EXPECT_EQ(numbers.OfRim({0, 0}, rim(5)), std::nullopt);
+}
+
+TEST(HoleNumbersTest, OfAsManyEdgesTheSmallerBoundary) {
+  const Json three = {{1000, 2000}, {1009, 2000}, {1009, 2009}, {1000, 2000}};
+  const HoleNumbers numbers = NumbersOf({Feature(3, "+000_+000", "filled", "Polygon", Json::array({Square(0, 0, 9)})),
+                                         Feature(4, "+000_+000", "filled", "Polygon", Json::array({three}))});
+  EXPECT_EQ(numbers.OfRim({0, 0}, {{{0, 0, 1}, {9, 0, 1}}, {{9, 0, 1}, {9, 9, 1}}}), 4);
+}
+
 TEST(HoleNumbersTest, NoneWithoutBoundaries) {
   EXPECT_EQ(NumbersOf(Json::array()).At({0, 0}, {0, 0, 0}), std::nullopt);
   EXPECT_EQ(NumbersOf(Json::array({Feature(3, "+000_+000", "filled", "Polygon", Json::array({Square(0, 0, 9)}))}))

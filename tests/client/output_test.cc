@@ -127,6 +127,13 @@ TEST(WorkersTextTest, TellsTasksThatWaitFromThoseThatRun) {
   EXPECT_THAT(WorkersText({worker}, OutputFormat::kTable), Not(HasSubstr("waiting")));
 }
 
+TEST(CountedTest, OneHasItsOwnWords) {
+  EXPECT_EQ(Counted(1, "edge"), "1 edge");
+  EXPECT_EQ(Counted(0, "edge"), "0 edges");
+  EXPECT_EQ(Counted(1, "fill of water", "fills of water"), "1 fill of water");
+  EXPECT_EQ(Counted(2, "fill of water", "fills of water"), "2 fills of water");
+}
+
 TEST(DurationTextTest, HasTwoUnitsAtMost) {
   EXPECT_EQ(DurationText(absl::Seconds(-3)), "less than 1 s");
   EXPECT_EQ(DurationText(absl::Milliseconds(499)), "less than 1 s");

@@ -22,6 +22,7 @@ namespace {
 struct EdgeSide {
   uint64_t edge;  // EdgeKey of the lower and the higher welded vertex
   bool is_after, is_added, is_inner, is_forward;
+  int32_t triangle;  // of the tile before or after
 
   bool operator<(const EdgeSide& other) const { return edge < other.edge; }
 };
@@ -60,16 +61,20 @@ class AddedFaultFinder {
       const bool is_inner = is_added && std::none_of(corners.begin(), corners.end(), is_original);
       if (is_after) found_.inner.push_back(is_inner);
       if (TwiceVectorArea(mesh.points, corners).squaredNorm() <= 0) {
-        if (is_added) found_.faults[AddedFault::kFlatTriangle].push_back(mesh.points[corners[0]]);
+        if (is_added) {
+          found_.faults[AddedFault::kFlatTriangle].push_back({mesh.points[corners[0]], static_cast<int32_t>(t)});
+        }
         continue;
       }
       const Triangle welded = {number[corners[0]], number[corners[1]], number[corners[2]]};
       for (int k = 0; k < 3; ++k) {
         const int32_t a = welded[k], b = welded[(k + 1) % 3];
-        sides_.push_back({EdgeKey(std::min(a, b), std::max(a, b)), is_after, is_added, is_inner, a < b});
+        sides_.push_back(
+            {EdgeKey(std::min(a, b), std::max(a, b)), is_after, is_added, is_inner, a < b, static_cast<int32_t>(t)});
       }
       if (!is_after) continue;
       triangles_.push_back(welded);
+      number_.push_back(static_cast<int32_t>(t));
       is_added_.push_back(is_added);
     }
   }
@@ -96,13 +101,25 @@ class AddedFaultFinder {
     const uint64_t edge = sides_[first].edge;
     const auto a = static_cast<int32_t>(edge >> 32), b = static_cast<int32_t>(edge & 0xffffffffU);
     const Point3 middle = (points_[a] + points_[b]) / 2;
-    if (after > 2 && before <= 2) found_.faults[AddedFault::kNonManifoldEdge].push_back(middle);
-    if (after == 2 && added > 0 && forward != 1) found_.faults[AddedFault::kTurnedEdge].push_back(middle);
+    const int32_t triangle = AddedTriangleAt(first, last);
+    if (after > 2 && before <= 2) found_.faults[AddedFault::kNonManifoldEdge].push_back({middle, triangle});
+    if (after == 2 && added > 0 && forward != 1) found_.faults[AddedFault::kTurnedEdge].push_back({middle, triangle});
     if (before != 1 && after != 1) return;
     const bool swap = IsLower(points_[b], points_[a]);
     OpenEdge open{points_[swap ? b : a], points_[swap ? a : b], before, after, added > 0, inner > 0};
     open.forward = swap ? after - forward : forward;
+    open.triangle = triangle;
     found_.open.push_back(std::move(open));
+  }
+
+  // The lowest; -1: none.
+  int32_t AddedTriangleAt(size_t first, size_t last) const {
+    int32_t lowest = -1;
+    for (size_t i = first; i < last; ++i) {
+      const EdgeSide& side = sides_[i];
+      if (side.is_added && (lowest < 0 || side.triangle < lowest)) lowest = side.triangle;
+    }
+    return lowest;
   }
 
   SpaceTriangle InSpace(int32_t t) const {
@@ -113,7 +130,8 @@ class AddedFaultFinder {
     const std::vector<CrossingPair> pairs = CrossingPairs();
     if (pairs.empty()) return;
     const std::vector<bool> of_input = ContinueCrossings(points_, triangles_, is_added_, pairs);
-    std::map<int32_t, AddedFault> worst;  // of each added triangle that crosses
+    std::map<int32_t, AddedFault> worst;              // of each added triangle that crosses
+    std::map<int32_t, std::vector<int32_t>> crossed;  // the fills' triangles that it crosses
     for (size_t i = 0; i < pairs.size(); ++i) {
       const auto [a, b] = pairs[i];
       const AddedFault fault = of_input[i]                    ? AddedFault::kCrossedRim
@@ -123,11 +141,14 @@ class AddedFaultFinder {
         if (!is_added_[t]) continue;
         AddedFault& known = worst.try_emplace(t, fault).first->second;
         known = std::min(known, fault);
+        if (fault == AddedFault::kCrossedFill) crossed[t].push_back(number_[t == a ? b : a]);
       }
     }
     for (const auto& [t, fault] : worst) {
       const SpaceTriangle placed = InSpace(t);
-      found_.faults[fault].push_back((placed[0] + placed[1] + placed[2]) / 3);
+      std::vector<int32_t>& others = crossed[t];
+      std::ranges::sort(others);
+      found_.faults[fault].push_back({(placed[0] + placed[1] + placed[2]) / 3, number_[t], std::move(others)});
     }
   }
 
@@ -158,6 +179,7 @@ class AddedFaultFinder {
   std::vector<Point3> points_;       // welded
   std::vector<Triangle> triangles_;  // of the tile after, with area
   std::vector<bool> is_added_;       // of triangles_
+  std::vector<int32_t> number_;      // in the tile after, of triangles_
   std::vector<EdgeSide> sides_;
   AddedFindings found_;
 };

@@ -29,12 +29,20 @@ struct OpenEdge {
   bool is_inner = false;    // and has no vertex at an original one
   bool is_covered = false;  // the tile has other surface there: pieces of a tile overlap (set by CoverOpenEdges)
   int32_t forward = 0;      // triangles that have it after, and go round from `from` to `to`
+  int32_t triangle = -1;    // of `after`, one that was added and has it; -1: none
+  int64_t hole = -1;        // the hole of that triangle's fill (set by the caller); -1: not known
+};
+
+struct AddedFaultPlace {
+  Point3 at;                         // the middle of an edge or a triangle
+  int32_t triangle = -1;             // of `after`: the added triangle, or one that has the edge; -1: none was added
+  std::vector<int32_t> others = {};  // of kCrossedFill: added triangles that it crosses, rising
 };
 
 struct AddedFindings {
-  std::map<AddedFault, std::vector<Point3>> faults;  // where: middles of edges and triangles
-  std::vector<OpenEdge> open;                        // in order of their positions
-  std::vector<bool> inner;  // of each triangle of `after`: it was added, and has no vertex at an original one
+  std::map<AddedFault, std::vector<AddedFaultPlace>> faults;
+  std::vector<OpenEdge> open;  // in order of their positions
+  std::vector<bool> inner;     // of each triangle of `after`: it was added, and has no vertex at an original one
 };
 
 // Compares the tile `after` with what it was `before`; `added` says which triangles of `after` are new. Vertices at

@@ -103,6 +103,7 @@ void JoinedEdges::Add(int32_t tile, int32_t row, const std::vector<OpenEdge>& ed
     sum.is_added = sum.is_added || e.is_added;
     sum.is_inner = sum.is_inner || e.is_inner;
     sum.is_covered = sum.is_covered || e.is_covered;
+    if (e.hole >= 0 && e.after > 0) sum.hole = e.hole;
   }
 }
 
@@ -114,14 +115,15 @@ JoinedEdges::Released JoinedEdges::ReleaseBelow(int32_t row) {
       ++it;
       continue;
     }
-    const NewOpenEdge edge{{{key[0], key[1], key[2]},
-                            {key[3], key[4], key[5]},
-                            sum.before,
-                            sum.after,
-                            sum.is_added,
-                            sum.is_inner,
-                            sum.is_covered},
-                           sum.tile};
+    NewOpenEdge edge{{{key[0], key[1], key[2]},
+                      {key[3], key[4], key[5]},
+                      sum.before,
+                      sum.after,
+                      sum.is_added,
+                      sum.is_inner,
+                      sum.is_covered},
+                     sum.tile};
+    edge.edge.hole = sum.hole;
     if (sum.after == 1 && sum.before != 1) released.open.push_back(edge);
     if (sum.single == 2 && sum.after == 2 && sum.forward != 1 && sum.is_added) released.turned.push_back(edge);
     if (sum.before == 1 && sum.after > 0) released.rims.push_back(edge);

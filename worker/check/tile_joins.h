@@ -71,6 +71,7 @@ class JoinedEdges {
     int32_t before = 0, after = 0, forward = 0, tile = 0, row = 0;
     int32_t single = 0;  // tiles with one triangle there
     bool is_added = false, is_inner = false, is_covered = false;
+    int64_t hole = -1;
   };
   std::map<std::array<double, 6>, Sum> sums_;
 };

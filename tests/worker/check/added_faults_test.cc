@@ -92,6 +92,26 @@ TEST_F(AddedFaultsTest, TellsFillsThatCrossEachOtherFromFillsThatCrossTheSurface
   EXPECT_EQ(outside.faults.count(AddedFault::kCrossedFill), 0U);
 }
 
+TEST_F(AddedFaultsTest, NamesTheTriangleAndThoseOfFillsThatItCrosses) {
+  const auto originals = static_cast<int32_t>(before_.mesh.triangles.size());
+  const AddedFindings found =
+      With({{0, 1, 2}, {0, 2, 3}, {4, 4, 5}, {4, 5, 6}}, {{1.5, 1.2, -1}, {1.8, 1.3, -1}, {1.7, 1.3, 1}});
+  const std::vector<AddedFaultPlace>& places = found.faults.at(AddedFault::kCrossedFill);
+  ASSERT_THAT(places, SizeIs(2));
+  EXPECT_EQ(places[0].triangle, originals);
+  EXPECT_THAT(places[0].others, testing::ElementsAre(originals + 3)) << "also after a triangle without area";
+  EXPECT_EQ(places[1].triangle, originals + 3);
+  EXPECT_THAT(places[1].others, testing::ElementsAre(originals));
+  EXPECT_EQ(found.faults.at(AddedFault::kFlatTriangle)[0].triangle, originals + 2);
+}
+
+TEST_F(AddedFaultsTest, NamesATriangleOfAnEdge) {
+  const auto originals = static_cast<int32_t>(before_.mesh.triangles.size());
+  const AddedFindings found = With({{0, 2, 1}, {0, 2, 3}});
+  for (const AddedFaultPlace& place : found.faults.at(AddedFault::kTurnedEdge)) EXPECT_EQ(place.triangle, originals);
+  for (const OpenEdge& e : With({{0, 1, 2}}).open) EXPECT_EQ(e.triangle, e.is_added ? originals : -1);
+}
+
 TEST_F(AddedFaultsTest, FaultsOfTheInputAreNoneOfTheOutput) {
   before_.mesh.points.insert(before_.mesh.points.end(), {{0.2, 0.2, -1}, {0.8, 0.3, -1}, {0.5, 0.3, 1}});
   const auto n = static_cast<int32_t>(before_.mesh.points.size());

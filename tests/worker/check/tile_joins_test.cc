@@ -40,6 +40,20 @@ TEST(JoinedEdgesTest, TellsTheTileOfANewOpenEdge) {
   EXPECT_EQ(released.open[1].tile, 2);
 }
 
+TEST(JoinedEdgesTest, TellsTheHoleOfANewOpenEdge) {
+  JoinedEdges edges;
+  OpenEdge filled = Edge(0, 1);
+  filled.hole = 7;
+  edges.Add(0, 0, {filled});
+  edges.Add(1, 0, {Edge(1, 0)});
+  edges.Add(2, 0, {Edge(0, 1, 5)});
+  const JoinedEdges::Released released = edges.ReleaseBelow(1);
+  ASSERT_THAT(released.open, SizeIs(1));
+  EXPECT_EQ(released.open[0].edge.hole, -1);
+  ASSERT_THAT(released.rims, SizeIs(1));
+  EXPECT_EQ(released.rims[0].edge.hole, 7);
+}
+
 TEST(JoinedEdgesTest, WaitsForTheRowsAndForgetsWhatItReleased) {
   JoinedEdges edges;
   edges.Add(0, 3, {Edge(0, 1)});
