@@ -14,7 +14,7 @@ Json Feature(int hole, const Json& ring) {
           {"geometry", {{"type", "Polygon"}, {"coordinates", Json::array({ring})}}}};
 }
 
-HoleNumbers NumbersOf(const Json& features, const Json& holes) {
+HoleNumbers NumbersOfHoles(const Json& features, const Json& holes) {
   ReportedOutput reported = ReadReported({{"per_hole", holes}});
   AddRims({{"features", features}}, {0, 0}, reported);
   return HoleNumbers(reported);
@@ -25,7 +25,8 @@ HoleNumbers NumbersOf(const Json& features, const Json& holes) {
 class FillOwnersTest : public ::testing::Test {
  protected:
   FillOwnersTest()
-      : numbers_(NumbersOf({Feature(0, {{0, 0}, {20, 0}, {20, 20}, {0, 20}, {0, 0}}),
+      : numbers_(
+            NumbersOfHoles({Feature(0, {{0, 0}, {20, 0}, {20, 20}, {0, 20}, {0, 0}}),
                             Feature(16, {{8, 9}, {12, 9}, {12, 11}, {8, 9}})},
                            {{{"id", 0}, {"outcome", "filled"}, {"rim_heights_m", {3, 18}}, {"level_m", Json()}},
                             {{"id", 16}, {"outcome", "filled"}, {"rim_heights_m", {4, 6}}, {"level_m", Json()}}})) {

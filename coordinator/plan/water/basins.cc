@@ -3,7 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -87,15 +89,41 @@ struct Extent {
   std::vector<Point2> corners;
 };
 
+Eigen::AlignedBox2d BoxOf(std::span<const Point2> points) {
+  Eigen::AlignedBox2d box;
+  for (const Point2& p : points) box.extend(p);
+  return box;
+}
+
+// Lowers `gap` to the least distance between a point of `a` and one of `b`, if that is less. Halves the larger set, the
+// half that is nearer first, where the boxes are not farther apart; reorders both.
+void LowerGap(std::span<Point2> a, std::span<Point2> b, double& gap) {
+  constexpr size_t kFewPairs = 256;
+  if (a.size() < b.size()) std::swap(a, b);
+  const Eigen::AlignedBox2d box = BoxOf(a), other = BoxOf(b);
+  if (b.empty() || box.exteriorDistance(other) >= gap) return;
+  if (a.size() * b.size() <= kFewPairs) {
+    for (const Point2& p : a) {
+      for (const Point2& q : b) gap = std::min(gap, (p - q).norm());
+    }
+    return;
+  }
+  const int axis = box.sizes().x() < box.sizes().y() ? 1 : 0;
+  const auto middle = a.begin() + static_cast<std::ptrdiff_t>(a.size() / 2);
+  std::nth_element(a.begin(), middle, a.end(), [axis](const Point2& p, const Point2& q) { return p[axis] < q[axis]; });
+  std::span<Point2> near(a.begin(), middle), far(middle, a.end());
+  if (BoxOf(far).exteriorDistance(other) < BoxOf(near).exteriorDistance(other)) std::swap(near, far);
+  LowerGap(near, b, gap);
+  LowerGap(far, b, gap);
+}
+
 // Between the corners of two outlines; none: it is wider than both together.
 std::optional<double> GapBetween(const Extent& a, const Extent& b) {
   const double most = a.width + b.width;
   if (a.box.exteriorDistance(b.box) > most) return std::nullopt;
-  const std::vector<Point2> of_a = a.CornersIn(b.box, most), of_b = b.CornersIn(a.box, most);
+  std::vector<Point2> of_a = a.CornersIn(b.box, most), of_b = b.CornersIn(a.box, most);
   double gap = std::numeric_limits<double>::infinity();
-  for (const Point2& p : of_a) {
-    for (const Point2& q : of_b) gap = std::min(gap, (p - q).norm());
-  }
+  LowerGap(of_a, of_b, gap);
   return gap <= most ? std::optional(gap) : std::nullopt;
 }
 

@@ -38,8 +38,8 @@ Basin MakeBasin(size_t number, std::vector<PlaneSegment> outline, std::vector<Ri
 //                         the foot of it (its 2 % quantile; closer than half the way from there to its median, and no
 //                         farther than three times the sigma)
 //   a river together:     the same holds for the rim of each above that river
-// Cost: for basins that are near, the product of their outlines where these are near, and MakeBasin's for both.
-// Deterministic.
+// Cost: for basins that are near, O(n log n) as a rule in their outlines where these are near, and MakeBasin's for
+// both. Deterministic.
 std::vector<Basin> JoinBasins(std::vector<Basin> basins, double min_river);
 
 }  // namespace tilemend
