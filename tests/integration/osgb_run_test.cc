@@ -264,12 +264,12 @@ TEST_F(OsgbRunTest, TheAcceptanceCheckComparesAllLevels) {
   folder_.Write(path, *DropOsgbTriangles(bytes, drop, path));
   const Ended bad = Tilemend({"check", folder_ / "scene", folder_ / "out"});
   EXPECT_EQ(bad.code, 100);
-  EXPECT_THAT(bad.out, HasSubstr("1  original faces that are missing or changed"));
+  EXPECT_THAT(bad.out, HasSubstr("1  original face that is missing or changed"));
   // And as it was in the scene, with its hole.
   folder_.Write(path, *ReadFile(folder_ / ("scene/Data/" + name + "/" + name + ".osgb")));
   const Ended unfilled = Tilemend({"check", folder_ / "scene", folder_ / "out"});
   EXPECT_EQ(unfilled.code, 100);
-  EXPECT_THAT(unfilled.out, HasSubstr("1  levels of detail of tiles that were not filled"));
+  EXPECT_THAT(unfilled.out, HasSubstr("1  level of detail of tiles that was not filled"));
 }
 
 TEST_F(OsgbRunTest, AnyNumberOfWorkersGivesTheSameBytes) {

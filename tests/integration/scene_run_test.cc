@@ -250,7 +250,7 @@ TEST_F(SceneRunTest, CheckNamesMissingOtherAndLongerTiles) {
   folder_.Write("out/tiles/Tile_+009_+000.ply", "");
   const Ended other = Tilemend({"check", out});
   EXPECT_EQ(other.code, 0) << other.out;
-  EXPECT_THAT(other.out, HasSubstr("1  other meshes among the tiles (no fault), the first tiles/Tile_+009_+000.ply"));
+  EXPECT_THAT(other.out, HasSubstr("1  other mesh among the tiles (no fault), the first tiles/Tile_+009_+000.ply"));
   const std::string last = out + "/tiles/Tile_+003_+002.ply";
   folder_.Write("out/tiles/Tile_+003_+002.ply", ReadFile(last).value_or("") + "more");
   const Ended longer = Tilemend({"check", out, "-o", "json"});
@@ -259,7 +259,7 @@ TEST_F(SceneRunTest, CheckNamesMissingOtherAndLongerTiles) {
   std::filesystem::remove(last);
   const Ended missing = Tilemend({"check", out});
   EXPECT_EQ(missing.code, 100);
-  EXPECT_THAT(missing.out, HasSubstr("1  missing tiles, the first tiles/Tile_+003_+002.ply"));
+  EXPECT_THAT(missing.out, HasSubstr("1  missing tile, the first tiles/Tile_+003_+002.ply"));
 }
 
 TEST_F(SceneRunTest, CheckKnowsTheAreaThatWasFilled) {

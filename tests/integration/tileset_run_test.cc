@@ -272,14 +272,14 @@ TEST_F(TilesetRunTest, TheAcceptanceCheckComparesAllLevels) {
   folder_.Write(path, *ChangeGltf(bytes, GltfUpAxis::kY, edit, path));
   const Ended bad = Tilemend({"check", folder_ / "scene", folder_ / "out"});
   EXPECT_EQ(bad.code, 100);
-  EXPECT_THAT(bad.out, HasSubstr("1  original faces that are missing or changed"));
+  EXPECT_THAT(bad.out, HasSubstr("1  original face that is missing or changed"));
   // Finer levels would never be shown.
   const std::string entry = *ReadFile(folder_ / "out/tileset.json");
   Json changed = Json::parse(entry);
   changed["root"]["geometricError"] = 0;
   folder_.Write("out/tileset.json", changed.dump());
   EXPECT_THAT(Tilemend({"check", folder_ / "scene", folder_ / "out"}).out,
-              HasSubstr("1  changed or missing files that say where tiles lie"));
+              HasSubstr("1  changed or missing file that says where tiles lie"));
   folder_.Write("out/tileset.json", entry);
   // The coarsest level as it was in the scene, with its hole.
   for (const char* model : {"Data/Tile_p000_p000/Tile_p000_p000.glb", "Data/Tile_p001_p000/Tile_p001_p000.glb"}) {
@@ -287,7 +287,7 @@ TEST_F(TilesetRunTest, TheAcceptanceCheckComparesAllLevels) {
   }
   const Ended unfilled = Tilemend({"check", folder_ / "scene", folder_ / "out"});
   EXPECT_EQ(unfilled.code, 100);
-  EXPECT_THAT(unfilled.out, HasSubstr("1  levels of detail of tiles that were not filled"));
+  EXPECT_THAT(unfilled.out, HasSubstr("1  level of detail of tiles that was not filled"));
 }
 
 TEST_F(TilesetRunTest, ImagesBesideTheModelsGoWithThem) {
