@@ -29,13 +29,18 @@ absl::StatusOr<bool> MayReplace(const JobSpec& spec, const std::string& key) {
 }
 
 void WarnOfUndoneDecisions(const JobSpec& spec, WaterChoice& water) {
+  if (spec.decisions().empty()) return;
   const auto is_decision = [](const WaterArea& area) { return area.decision != ReviewDecision::kNone; };
-  if (spec.decisions().empty() || std::ranges::any_of(water.options.areas, is_decision)) return;
+  const auto given = static_cast<size_t>(std::ranges::count_if(water.options.areas, is_decision));
   const auto report = ReadFile(absl::StrCat(spec.out(), "/", kReportFiles[0]));
   const size_t decided = report.ok() ? DecidedHolesIn(*report) : 0;
-  if (decided == 0) return;
-  water.warnings.push_back(absl::StrCat(spec.decisions(), ": the decisions of the last run on ", decided,
-                                        decided == 1 ? " hole are undone" : " holes are undone"));
+  if (decided <= given) return;
+  const std::string holes = absl::StrCat(decided, decided == 1 ? " hole" : " holes");
+  water.warnings.push_back(
+      given == 0
+          ? absl::StrCat(spec.decisions(), ": the decisions of the last run on ", holes, " are undone")
+          : absl::StrCat(spec.decisions(), ": it has ", given, given == 1 ? " decision" : " decisions",
+                         ", and the last run had some on ", holes, "; those that are not in the file are undone"));
 }
 
 absl::StatusOr<JobOnOutput> OnOutput(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest,

@@ -20,7 +20,8 @@ std::string OutputKey(const std::string& scene_key);
 absl::StatusOr<bool> MayReplace(const JobSpec& spec, const std::string& key);
 
 // Adds the warning "decisions.geojson: the decisions of the last run on 4 holes are undone" if the spec names
-// decisions, `water` has none, and the report in the output folder has some. Cost: reads the report.
+// decisions, and `water` has fewer than the report in the output folder has decided holes; another if it has some.
+// Cost: reads the report.
 void WarnOfUndoneDecisions(const JobSpec& spec, WaterChoice& water);
 
 // A job with the cells that its output has then.

@@ -58,7 +58,7 @@ TEST_F(EarlierOutputTest, WithoutDecisionsOrWithoutAReportNothingIsReplaced) {
   EXPECT_EQ(*MayReplace(spec_, OutputKey("scene")), false);
 }
 
-TEST_F(EarlierOutputTest, SaysHowManyDecisionsAFileWithoutOneUndoes) {
+TEST_F(EarlierOutputTest, SaysHowManyDecisionsAFileWithFewerUndoes) {
   const auto warnings = [&](std::vector<WaterArea> areas) {
     WaterChoice water;
     water.options.areas = std::move(areas);
@@ -71,7 +71,10 @@ TEST_F(EarlierOutputTest, SaysHowManyDecisionsAFileWithoutOneUndoes) {
   WaterArea polygon;
   EXPECT_THAT(warnings({polygon}), SizeIs(1));
   polygon.decision = ReviewDecision::kAccept;
-  EXPECT_THAT(warnings({polygon}), IsEmpty());
+  EXPECT_THAT(warnings({polygon}),
+              ElementsAre("/marks.geojson: it has 1 decision, and the last run had some on 2 holes; those that are not "
+                          "in the file are undone"));
+  EXPECT_THAT(warnings({polygon, polygon}), IsEmpty());
   spec_.clear_decisions();
   EXPECT_THAT(warnings({}), IsEmpty());
 }
