@@ -34,7 +34,7 @@ Plan PlanOf(Cut cut, const std::function<bool(const Point3&)>& on_object) {
   return MakePlan(input, {});
 }
 
-// By vertex of the rims.
+// By vertex of the rims. They are the plan's own.
 std::vector<const PlanVertex*> OriginalRim(const Plan& plan) {
   std::vector<const PlanVertex*> rim;
   for (const PlannedHole& hole : plan.holes) {
@@ -45,11 +45,14 @@ std::vector<const PlanVertex*> OriginalRim(const Plan& plan) {
   return rim;
 }
 
+std::vector<const PlanVertex*> OriginalRim(const Plan&&) = delete;
+
 class MarkObjectsTest : public ::testing::TestWithParam<Cut> {};
 
 TEST_P(MarkObjectsTest, FlaggedVerticesOfTheRimAreMarkedAndNoOthers) {
   int marked = 0;
-  for (const PlanVertex* v : OriginalRim(PlanOf(GetParam(), InHouse))) {
+  const Plan plan = PlanOf(GetParam(), InHouse);
+  for (const PlanVertex* v : OriginalRim(plan)) {
     EXPECT_EQ(v->on_object, InHouse(v->position)) << v->position.transpose();
     EXPECT_EQ(v->ground.has_value(), v->on_object);
     marked += v->on_object;
@@ -59,7 +62,8 @@ TEST_P(MarkObjectsTest, FlaggedVerticesOfTheRimAreMarkedAndNoOthers) {
 
 // A hole in a roof goes on as the roof does.
 TEST_P(MarkObjectsTest, WhereAllOfARimStandsOnObjectsNoneOfItDoes) {
-  for (const PlanVertex* v : OriginalRim(PlanOf(GetParam(), [](const Point3&) { return true; }))) {
+  const Plan plan = PlanOf(GetParam(), [](const Point3&) { return true; });
+  for (const PlanVertex* v : OriginalRim(plan)) {
     EXPECT_FALSE(v->on_object);
   }
 }
@@ -67,7 +71,8 @@ TEST_P(MarkObjectsTest, WhereAllOfARimStandsOnObjectsNoneOfItDoes) {
 TEST_P(MarkObjectsTest, WithoutFlagsNothingIsMarked) {
   const SurveyedScene scene =
       SurveyScene(MakeScene(HoleOverNineCells(GetParam(), [](double, double x, double y) { return Gentle(x, y); })));
-  for (const PlanVertex* v : OriginalRim(MakePlan(scene.Input(), {}))) EXPECT_FALSE(v->on_object);
+  const Plan plan = MakePlan(scene.Input(), {});
+  for (const PlanVertex* v : OriginalRim(plan)) EXPECT_FALSE(v->on_object);
 }
 
 // A closed hole of the middle cell.
