@@ -30,7 +30,7 @@ struct Run {
   int32_t part;
 };
 
-// Segments that a line meets which moves upwards.
+// The segments that a line meets, while it moves upwards.
 class SweptSegments {
  public:
   // `reach`: above and below a segment, as far as it is met
@@ -57,7 +57,7 @@ class SweptSegments {
   std::vector<PlaneSegment> met_ = {};
 };
 
-// Where a segment that is not level has this height; its nearer end where it has not.
+// The x where a segment, which is not level, has this y. Beyond its ends that of the nearer end.
 double AlongAt(const PlaneSegment& s, double y) {
   const double share = std::clamp((y - s.first.y()) / (s.second.y() - s.first.y()), 0.0, 1.0);
   return s.first.x() + share * (s.second.x() - s.first.x());
@@ -173,8 +173,7 @@ class Parts {
 // An end of an edge of the rim, at an original vertex; seen from above.
 struct RimEnd {
   int32_t vertex;
-  double length;  // half of the edge, metres; 0 if it is steeper than 45 degrees: what runs up a wall tells of neither
-                  // surface
+  double length;     // half of the edge, metres; 0 if it is steeper than 45 degrees, as it runs up a wall then
   Point2 into_hole;  // across the edge, of length 1
 };
 

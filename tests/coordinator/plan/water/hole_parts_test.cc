@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "coordinator/plan/water/mark_objects.h"
+
 namespace tilemend {
 namespace {
 
@@ -182,6 +184,27 @@ TEST(FindRoofPartsTest, SeamsMakeNoRoofOfAStreet) {
   Plan plan = PlanOf({{0, 0}, {100, 0}, {100, 10}, {0, 10}}, canyon);
   AddSeam({{{34, 0}, {34, 10}}, {{66, 0}, {66, 10}}}, plan);
   EXPECT_TRUE(Joined(plan, {0, 1}).empty());
+}
+
+// What the fill is told: it joins the roof, and passes above the street on the roof's rim.
+TEST(FindRoofPartsTest, MarkObjectsTakesThem) {
+  const auto roof = [](const Point2& p) { return p.x() < 10.5 ? kStreet : kRoof; };
+  const Plan plan = PlanOf(RoomAndStreet(), Roofed(roof));
+  const RoofParts parts = FindRoofParts(plan, {0});
+  Plan marked = plan;
+  marked.holes[0].kind = HoleKind::kOpenI;
+  marked.holes[0].cluster = 0;
+  MarkObjects(marked);
+  for (const int32_t v : parts.joined) {
+    EXPECT_FALSE(marked.vertices[v].on_object) << v;
+    EXPECT_FALSE(marked.vertices[v].ground.has_value()) << v;
+  }
+  for (const auto& [v, height] : parts.below) {
+    EXPECT_FALSE(plan.vertices[v].on_object) << v;
+    EXPECT_TRUE(marked.vertices[v].on_object) << v;
+    EXPECT_EQ(marked.vertices[v].ground, height) << v;
+  }
+  EXPECT_FALSE(parts.joined.empty() || parts.below.empty());
 }
 
 TEST(FindRoofPartsTest, TheSameInASceneThatIsTurned) {
