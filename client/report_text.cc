@@ -94,10 +94,10 @@ std::string TensionText(const Json& report) {
     const char* kind = choice.contains("cluster") ? "cluster" : "hole";
     rows.push_back({absl::StrCat(kind, " ", Text(Member(choice, kind))),
                     absl::StrFormat("%.4g", Number(Member(choice, "tension"))),
-                    Text(Member(choice, "hold_out_error_m"))});
+                    Text(Member(choice, "hold_out_error_m")), Text(Member(choice, "steepness"))});
   }
   return absl::StrCat("\n", Counted(choices.size(), "tension"), " chosen from the rim\n",
-                      Table({"", "tension, 1/m2", "hold-out error, m"}, rows));
+                      Table({"", "tension, 1/m2", "hold-out error, m", "walls are steeper than"}, rows));
 }
 
 struct Figure {

@@ -91,7 +91,7 @@ RULES = {
         ['eigen']),
 
     'worker/fill/surface': rule(
-        ['common/mesh', 'common/mesh/triangulation', 'common/records'],
+        ['common/mesh', 'common/mesh/triangulation', 'common/records', 'worker/fill/hole'],
         ['eigen']),
 
     'worker/fill/shape': rule(

@@ -3,6 +3,7 @@
 #define TILEMEND_COMMON_RECORDS_CELL_HOLES_H_
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,7 +20,7 @@ namespace tilemend {
 struct RimVertex {
   CellId tile;               // whose vertex it is; meaningless for a seam vertex
   int32_t index = -1;        // in that tile; -1: a seam vertex
-  int32_t seam_vertex = -1;  // the plan's number of a vertex that lies on a seam or at the end of one; else -1
+  int32_t seam_vertex = -1;  // the plan's number of the vertex, where its height is asked for or told; else -1
   uint8_t lines = 0;  // of a seam vertex: 1 if it lies on a line x = const, 2 if on y = const, 3 on a grid corner
   Point3 position{0, 0, 0};  // exact for originals; z of a seam vertex counts when height_known
   bool height_known = true;
@@ -28,9 +29,10 @@ struct RimVertex {
   bool laplacian_known = false;  // on seams, from the surface of the whole cluster: its Laplacian here, 1 / metre
   double laplacian = 0;
   bool on_object = false;  // an original that stands on a tree, a house, a wall: its height does not shape the surface
+  bool on_ground = false;  // an original of which the ground filter says that it stands on the ground
   // Of a seam vertex on a tile's own outline: the seam vertex on the grid line whose height it takes; else -1.
   int32_t follows = -1;
-  std::optional<double> ground;  // under such a vertex, from the surface of the whole cluster: its height, metres
+  std::optional<double> ground;  // where the surface of its cluster passes below or above it, metres
 };
 
 // A segment of a hole's boundary; seen from above, the hole lies to the left of from -> to.
@@ -40,6 +42,18 @@ struct RimSegment {
   bool seam = false;  // a stretch of grid boundary; else an original edge
 };
 
+// The ground around a hole.
+struct GroundTrend {
+  Point2 slope{0, 0};    // dz/dx, dz/dy
+  double steepness = 0;  // rise / run of the ground beside that slope: what is steeper is a wall; 0: nothing is told
+
+  bool is_told() const { return steepness > 0; }
+  // Whether it may be that of triangles none of which is steeper than 5 in 1.
+  bool is_possible() const {
+    return std::abs(slope.x()) <= 5 && std::abs(slope.y()) <= 5 && steepness >= 0.01 && steepness <= 10;
+  }
+};
+
 // A tension of the thin-plate surface and how well it foretold heights that were left out
 // (worker/fill/surface/choose_tension.h).
 struct HoldOut {
@@ -47,6 +61,7 @@ struct HoldOut {
   double error = 0;           // mean |error| with it, metres
   double error_at_start = 0;  // with the tension that the search begins with
   int32_t blocks = 0;         // stretches left out; 0: not tested, the errors mean nothing
+  GroundTrend walls = {};     // where the surface is ground with walls instead (worker/fill/surface/walled_ground.h)
 };
 
 struct CellHole {
@@ -56,6 +71,7 @@ struct CellHole {
   std::vector<RimSegment> inner_edges = {};  // edges that the patch has inside its boundary; in any direction
   Point2 slope{0, 0};                        // dz/dx, dz/dy of the ground that its cluster lies in
   std::optional<double> tension = {};        // that of its cluster, where it has been chosen
+  GroundTrend walls = {};                    // likewise: HoldOut::walls
   std::optional<double> level = {};          // filled flat: the height of every new vertex, metres, on the lattice
   WaterSurface river = {};                   // with stations: water whose heights are LevelAt these; level is set too
   bool in_ground = false;                    // closed, and filled as an open one: its rim lies on the ground

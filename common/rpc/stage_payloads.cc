@@ -10,6 +10,7 @@
 #include "common/mesh/rounding.h"
 #include "common/rpc/ground_payloads.h"
 #include "common/rpc/look_payloads.h"
+#include "common/rpc/surface_payloads.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -171,12 +172,15 @@ v1::RimVertices ToProto(const std::vector<RimVertex>& vertices) {
     proto.add_laplacian_known(v.laplacian_known);
     proto.add_laplacian(v.laplacian);
   }
-  if (std::any_of(vertices.begin(), vertices.end(), [](const RimVertex& v) { return v.on_object; })) {
+  if (std::any_of(vertices.begin(), vertices.end(), [](const RimVertex& v) { return v.on_object || v.ground; })) {
     for (const RimVertex& v : vertices) {
       proto.add_on_object(v.on_object);
       proto.add_ground_known(v.ground.has_value());
       proto.add_ground(v.ground.value_or(0));
     }
+  }
+  if (std::ranges::any_of(vertices, &RimVertex::on_ground)) {
+    for (const RimVertex& v : vertices) proto.add_on_ground(v.on_ground);
   }
   if (std::any_of(vertices.begin(), vertices.end(), [](const RimVertex& v) { return v.follows >= 0; })) {
     for (const RimVertex& v : vertices) proto.add_follows(v.follows);
@@ -190,7 +194,8 @@ absl::StatusOr<std::vector<RimVertex>> FromProto(const v1::RimVertices& proto) {
       proto.position_size() != 3 * n || proto.height_known_size() != n || proto.centroid_height_size() != n ||
       proto.size_size() != n || proto.laplacian_known_size() != n || proto.laplacian_size() != n ||
       (proto.on_object_size() != n && proto.on_object_size() != 0) || proto.ground_size() != proto.on_object_size() ||
-      proto.ground_known_size() != proto.on_object_size() || (proto.follows_size() != n && proto.follows_size() != 0)) {
+      proto.ground_known_size() != proto.on_object_size() || (proto.follows_size() != n && proto.follows_size() != 0) ||
+      (proto.on_ground_size() != n && proto.on_ground_size() != 0)) {
     return Malformed("rim vertices");
   }
   std::vector<RimVertex> vertices(n);
@@ -207,8 +212,9 @@ absl::StatusOr<std::vector<RimVertex>> FromProto(const v1::RimVertices& proto) {
     v.laplacian_known = proto.laplacian_known(i);
     v.laplacian = proto.laplacian(i);
     v.on_object = proto.on_object_size() > 0 && proto.on_object(i);
+    v.on_ground = proto.on_ground_size() > 0 && proto.on_ground(i);
     if (proto.follows_size() > 0) v.follows = proto.follows(i);
-    if (v.on_object && proto.ground_known(i)) v.ground = proto.ground(i);
+    if (proto.ground_known_size() > 0 && proto.ground_known(i)) v.ground = proto.ground(i);
     if (!std::isfinite(v.ground.value_or(0))) return Malformed("rim vertex ground");
     if (!std::isfinite(v.laplacian)) return Malformed("rim vertex Laplacian");
     if (!IsPlace(v.position)) return Malformed("rim vertex position");
@@ -230,6 +236,7 @@ v1::CellHolesBlob ToProto(const CellHoles& holes) {
     h->set_slope_x(hole.slope.x());
     h->set_slope_y(hole.slope.y());
     if (hole.tension) h->set_tension(*hole.tension);
+    if (hole.walls.is_told()) *h->mutable_walls() = ToProto(hole.walls);
     if (hole.level) h->set_level(*hole.level);
     for (const Point3& station : hole.river.stations) AddPoint(station, h->mutable_station());
     h->set_in_ground(hole.in_ground);
@@ -280,6 +287,9 @@ absl::StatusOr<CellHoles> FromProto(const v1::CellHolesBlob& proto) {
     if (!hole.slope.allFinite()) return Malformed("slope");
     if (h.has_tension()) hole.tension = h.tension();
     if (!(h.tension() >= 0) || !std::isfinite(h.tension())) return Malformed("tension");
+    if (h.has_walls()) {
+      TILEMEND_ASSIGN_OR_RETURN(hole.walls, FromProto(h.walls()));
+    }
     if (h.has_level()) hole.level = h.level();
     if (!std::isfinite(h.level())) return Malformed("water level");
     if (h.station_size() % 3 != 0 || h.station_size() == 3) return Malformed("river stations");
@@ -298,24 +308,6 @@ absl::StatusOr<CellHoles> FromProto(const v1::CellHolesBlob& proto) {
     for (size_t i = 0; i < holes.vertices.size(); ++i) holes.band.points[i] = holes.vertices[i].position;
   }
   return holes;
-}
-
-v1::HoldOut ToProto(const HoldOut& hold_out) {
-  v1::HoldOut proto;
-  proto.set_tension(hold_out.tension);
-  proto.set_error(hold_out.error);
-  proto.set_error_at_start(hold_out.error_at_start);
-  proto.set_blocks(hold_out.blocks);
-  return proto;
-}
-
-absl::StatusOr<HoldOut> FromProto(const v1::HoldOut& proto) {
-  const HoldOut hold_out{proto.tension(), proto.error(), proto.error_at_start(), proto.blocks()};
-  if (!(hold_out.tension >= 0) || !std::isfinite(hold_out.tension) || !std::isfinite(hold_out.error) ||
-      !std::isfinite(hold_out.error_at_start) || hold_out.blocks < 0) {
-    return Malformed("hold-out");
-  }
-  return hold_out;
 }
 
 v1::FillOutput ToProto(const std::vector<HolePatch>& patches, const std::vector<RimVertex>& vertices,

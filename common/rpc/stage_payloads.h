@@ -28,9 +28,6 @@ absl::StatusOr<CellHoles> FromProto(const v1::CellHolesBlob& proto);
 v1::RimVertices ToProto(const std::vector<RimVertex>& vertices);
 absl::StatusOr<std::vector<RimVertex>> FromProto(const v1::RimVertices& proto);
 
-v1::HoldOut ToProto(const HoldOut& hold_out);
-absl::StatusOr<HoldOut> FromProto(const v1::HoldOut& proto);
-
 // Patches over `vertices`; new points come back bit for bit. `lattice_step` is that of the CellHoles.
 v1::FillOutput ToProto(const std::vector<HolePatch>& patches, const std::vector<RimVertex>& vertices,
                        double lattice_step);

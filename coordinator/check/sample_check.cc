@@ -40,19 +40,47 @@ absl::Status CheckHeights(const CellHoles& asked, std::span<const int32_t> seam_
   return absl::OkStatus();
 }
 
+// Of all vertices whose number was told.
+std::set<int32_t> Numbers(const CellHoles& asked) {
+  std::set<int32_t> numbers;
+  for (const RimVertex& v : asked.vertices) {
+    if (v.seam_vertex >= 0) numbers.insert(v.seam_vertex);
+  }
+  return numbers;
+}
+
+// Of the new vertices, those on objects and those on seams.
+std::set<int32_t> NumbersOnSeams(const CellHoles& asked) {
+  std::set<int32_t> numbers;
+  const auto add = [&](const RimVertex& v) {
+    if (v.seam_vertex >= 0) numbers.insert(v.seam_vertex);
+  };
+  for (const RimVertex& v : asked.vertices) {
+    if (v.on_object || v.index < 0) add(v);
+  }
+  for (const CellHole& hole : asked.holes) {
+    for (const RimSegment& s : hole.segments) {
+      if (!s.seam) continue;
+      add(asked.vertices[s.from]);
+      add(asked.vertices[s.to]);
+    }
+  }
+  return numbers;
+}
+
 }  // namespace
 
-absl::Status CheckClusterSamples(const CellHoles& asked, const ClusterColumns& given) {
+absl::Status CheckClusterSamples(const CellHoles& asked, bool has_walls, const ClusterColumns& given) {
   const size_t n = given.seam_vertex.size();
   if (given.height.size() != n || given.laplacian.size() != n || given.slope_x.size() != n ||
       given.slope_y.size() != n) {
     return absl::InvalidArgumentError("columns of unequal length");
   }
-  if (n == 0) return absl::OkStatus();
-  std::set<int32_t> wanted;
-  for (const RimVertex& v : asked.vertices) {
-    if (v.seam_vertex >= 0) wanted.insert(v.seam_vertex);
+  if (has_walls && (n == 0 || std::ranges::none_of(asked.vertices, &RimVertex::on_object))) {
+    return absl::InvalidArgumentError("walls without samples, or without an object on the rim");
   }
+  if (n == 0) return absl::OkStatus();
+  std::set<int32_t> wanted = has_walls ? Numbers(asked) : NumbersOnSeams(asked);
   for (const int32_t vertex : given.seam_vertex) {
     if (wanted.erase(vertex) == 0) return Wrong(vertex, "not asked for, or given twice");
   }

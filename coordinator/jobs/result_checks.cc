@@ -13,6 +13,7 @@
 #include "common/records/patch_heights.h"
 #include "common/rpc/clear_payloads.h"
 #include "common/rpc/stage_payloads.h"
+#include "common/rpc/surface_payloads.h"
 #include "common/store/digest.h"
 #include "common/store/tile_stamp.h"
 #include "common/util/status_macros.h"
@@ -185,9 +186,9 @@ absl::Status CheckOutput(const std::string& input_bytes, const v1::SampleCluster
   TILEMEND_ASSIGN_OR_RETURN(const CellHoles asked, HolesOf(input));
   if (output.cluster() != input.cluster()) return Wrong("another cluster");
   if (output.has_hold_out()) TILEMEND_RETURN_IF_ERROR(AsWrong(FromProto(output.hold_out()).status()));
-  return AsWrong(
-      CheckClusterSamples(asked, {Column(output.seam_vertex()), Column(output.height()), Column(output.laplacian()),
-                                  Column(output.slope_x()), Column(output.slope_y())}));
+  return AsWrong(CheckClusterSamples(asked, output.hold_out().has_walls(),
+                                     {Column(output.seam_vertex()), Column(output.height()), Column(output.laplacian()),
+                                      Column(output.slope_x()), Column(output.slope_y())}));
 }
 
 absl::Status CheckOutput(const std::string& input_bytes, const v1::SampleLayerOutput& output, TileReading&) {

@@ -2,6 +2,7 @@
 
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
+#include "common/rpc/surface_payloads.h"
 #include "common/util/status_macros.h"
 #include "coordinator/waves/local_numbers.h"
 

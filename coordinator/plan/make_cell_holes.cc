@@ -36,6 +36,11 @@ std::vector<Eigen::AlignedBox3d> PlacesOfOthers(const PlanInput& input, CellId t
   return places;
 }
 
+// A vertex of the result, and the cluster that it was first made for.
+struct Made {
+  int32_t vertex, cluster;
+};
+
 class CellHolesBuilder {
  public:
   CellHolesBuilder(const Plan& plan, const PlanInput& input, const SeamHeights& heights)
@@ -58,6 +63,10 @@ class CellHolesBuilder {
         }
         AddInnerEdges(plan_.holes[h]);
       }
+    }
+    // Between objects the surface need not meet the rim: its height is asked for everywhere.
+    if (!own_regions && std::ranges::any_of(result_.vertices, &RimVertex::on_object)) {
+      for (const auto& [plan_vertex, made] : made_) result_.vertices[made.vertex].seam_vertex = plan_vertex;
     }
     if (with_band) {
       for (const RimVertex& v : result_.vertices) result_.band.points.push_back(v.position);
@@ -100,8 +109,14 @@ class CellHolesBuilder {
   }
 
   int32_t Vertex(int32_t plan_vertex, int32_t cluster) {
-    const auto [it, fresh] = number_.try_emplace(plan_vertex, static_cast<int32_t>(result_.vertices.size()));
-    if (!fresh) return it->second;
+    const auto number = static_cast<int32_t>(result_.vertices.size());
+    const auto [it, fresh] = made_.try_emplace(plan_vertex, Made{number, cluster});
+    if (!fresh) {
+      // Of two clusters that touch here, each has its own surface.
+      RimVertex& shared = result_.vertices[it->second.vertex];
+      if (!shared.on_object && it->second.cluster != cluster) shared.ground.reset();
+      return it->second.vertex;
+    }
     const PlanVertex& p = plan_.vertices[plan_vertex];
     RimVertex v;
     v.tile = p.tile;
@@ -111,12 +126,13 @@ class CellHolesBuilder {
     v.size = p.size;
     v.lines = p.lines;
     v.on_object = p.on_object;
+    v.on_ground = p.on_ground;
     if (const auto own = own_index_.find(plan_vertex); own != own_index_.end()) {
       v.tile = result_.cell;
       v.index = own->second;
     }
-    if (p.on_object) {
-      v.seam_vertex = plan_vertex;
+    if (p.on_object) v.seam_vertex = plan_vertex;
+    if (p.on_object || (p.index >= 0 && heights_.walls.contains(cluster))) {
       v.ground = GroundUnder(plan_vertex, cluster);
     }
     if (p.index < 0) {
@@ -127,10 +143,11 @@ class CellHolesBuilder {
       v.follows = p.follows;
     }
     result_.vertices.push_back(v);
-    return it->second;
+    return number;
   }
 
-  // Of an original on an object. Beyond the grid line the surface goes on from where the boundary crosses it.
+  // Where the surface passes, of an original that it need not meet. Beyond the grid line the surface goes on from where
+  // the boundary crosses it.
   std::optional<double> GroundUnder(int32_t plan_vertex, int32_t cluster) const {
     const auto ground = heights_.ground.find({cluster, plan_vertex});
     if (ground != heights_.ground.end()) return ground->second.height;
@@ -155,7 +172,7 @@ class CellHolesBuilder {
     const PlanVertex& p = plan_.vertices[plan_vertex];
     const int32_t source = p.follows >= 0 ? p.follows : plan_vertex;
     const PlanVertex& s = plan_.vertices[source];
-    if (p.on_neighbour && p.on_object) return s.position.z();
+    if (p.on_neighbour && (p.on_object || s.index >= 0)) return s.position.z();
     if (const auto own = heights_.height.find(plan_vertex); own != heights_.height.end()) return own->second;
     if (const auto ground = heights_.ground.find({cluster, source}); ground != heights_.ground.end()) {
       return RoundedToLattice(GoingOn(ground->second, source, p.position), plan_.lattice_step);
@@ -174,6 +191,7 @@ class CellHolesBuilder {
     hole.id = h;
     hole.open = planned.kind != HoleKind::kClosed || (!planned.own_regions.empty() && HasSeam(segments));
     if (const auto it = heights_.tension.find(planned.cluster); it != heights_.tension.end()) hole.tension = it->second;
+    if (const auto it = heights_.walls.find(planned.cluster); it != heights_.walls.end()) hole.walls = it->second;
     hole.slope = planned.slope;
     hole.in_ground = planned.in_ground;
     if (planned.water >= 0) {
@@ -217,10 +235,10 @@ class CellHolesBuilder {
     std::unordered_map<int32_t, int32_t> number;  // band point -> the result's
     const auto rim_vertex = [&](int32_t v) {
       if (v >= static_cast<int32_t>(of.size())) return -1;
-      const auto it = number_.find(of[v]);
-      return it == number_.end() ? -1 : it->second;
+      const auto it = made_.find(of[v]);
+      return it == made_.end() ? -1 : it->second.vertex;
     };
-    if (std::none_of(of.begin(), of.end(), [&](int32_t v) { return number_.contains(v); })) return;
+    if (std::none_of(of.begin(), of.end(), [&](int32_t v) { return made_.contains(v); })) return;
     const auto record = stored.WithBand();
     for (const Triangle& t : record->band.triangles) {
       const int32_t rim[3] = {rim_vertex(t[0]), rim_vertex(t[1]), rim_vertex(t[2])};
@@ -256,7 +274,7 @@ class CellHolesBuilder {
   CellHoles result_;
   PositionIndex places_;                              // of the band's points
   std::map<std::array<int32_t, 3>, CellId> tile_of_;  // of each triangle of the band
-  std::unordered_map<int32_t, int32_t> number_;       // plan vertex -> vertex of the result
+  std::unordered_map<int32_t, Made> made_;            // by plan vertex
   std::unordered_map<int32_t, int32_t> own_index_;    // plan vertex -> index in the cell's own tile
 };
 

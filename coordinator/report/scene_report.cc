@@ -124,12 +124,14 @@ Json Tensions(const SceneReportInput& input) {
   Json rows = Json::array();
   const auto add = [&](const char* what, const std::map<int32_t, HoldOut>& choices) {
     for (const auto& [id, choice] : choices) {
-      if (choice.blocks == 0) continue;
-      rows.push_back({{what, id},
-                      {"tension", Rounded(choice.tension, 9)},
-                      {"hold_out_error_m", Rounded(choice.error, 4)},
-                      {"hold_out_error_at_start_m", Rounded(choice.error_at_start, 4)},
-                      {"blocks", choice.blocks}});
+      if (choice.blocks == 0 && !choice.walls.is_told()) continue;
+      Json row = {{what, id}, {"tension", Rounded(choice.tension, 9)}, {"blocks", choice.blocks}};
+      if (choice.blocks > 0) {
+        row["hold_out_error_m"] = Rounded(choice.error, 4);
+        row["hold_out_error_at_start_m"] = Rounded(choice.error_at_start, 4);
+      }
+      if (choice.walls.is_told()) row["steepness"] = Rounded(choice.walls.steepness, 3);
+      rows.push_back(std::move(row));
     }
   };
   add("cluster", input.outcome.of_clusters);

@@ -95,6 +95,7 @@ absl::Status ClusterSampling::Take(const ClusterSamples& result, PlannedScene& s
   if (result.hold_out) {
     outcome.of_clusters[result.cluster] = *result.hold_out;
     scene.heights.tension[result.cluster] = result.hold_out->tension;
+    if (result.hold_out->walls.is_told()) scene.heights.walls[result.cluster] = result.hold_out->walls;
   }
   if (!result.samples.empty()) ++with_surface_;
   SettleCluster(scene.plan, result.cluster, result.samples, scene.heights);

@@ -85,7 +85,7 @@ class Report:
 
     @property
     def tension(self) -> List[Dict[str, Any]]:
-        """The tensions that `auto` chose: `cluster` or `hole`, `tension` (1/m²), `hold_out_error_m`, ..."""
+        """The tensions that `auto` chose: `cluster` or `hole`, `tension` (1/m²), `steepness` (of ground with walls), ..."""
         return self._rows('tension')
 
     @property

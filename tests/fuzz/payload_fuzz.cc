@@ -8,6 +8,7 @@
 
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
+#include "common/rpc/surface_payloads.h"
 #include "tests/fuzz/fuzz_target.h"
 
 namespace tilemend {

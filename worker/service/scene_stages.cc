@@ -18,6 +18,7 @@
 #include "common/rpc/level_payloads.h"
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
+#include "common/rpc/surface_payloads.h"
 #include "common/rpc/tile_patch.h"
 #include "common/store/digest.h"
 #include "common/store/fingerprint.h"

@@ -81,9 +81,13 @@ double HeightAt(const Plan& plan, int32_t vertex, double found) {
 
 void SettleCluster(const Plan& plan, int32_t cluster, std::span<const ClusterSample> samples, SeamHeights& heights) {
   for (const ClusterSample& s : samples) {
-    heights.laplacian[{cluster, s.vertex}] = s.laplacian;
-    if (plan.vertices[s.vertex].on_object) heights.ground[{cluster, s.vertex}] = {s.height, s.slope};
-    if (plan.vertices[s.vertex].index >= 0) continue;  // an original vertex at the end of a seam
+    const PlanVertex& vertex = plan.vertices[s.vertex];
+    const bool has_walls = heights.walls.contains(cluster);
+    if (!has_walls) heights.laplacian[{cluster, s.vertex}] = s.laplacian;
+    if (vertex.on_object || (has_walls && vertex.index >= 0)) {
+      heights.ground[{cluster, s.vertex}] = {s.height, s.slope};
+    }
+    if (vertex.index >= 0) continue;  // an original vertex at the end of a seam
     const auto settled = heights.slope.find(s.vertex);
     if (settled != heights.slope.end() && settled->second.cluster < cluster) continue;
     heights.height[s.vertex] = HeightAt(plan, s.vertex, s.height);

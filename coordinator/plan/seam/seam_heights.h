@@ -35,11 +35,12 @@ struct SeamHeights {
   std::map<int32_t, double> height = {};                         // of the seam vertices that are settled
   std::map<std::pair<int32_t, int32_t>, double> laplacian = {};  // by cluster and vertex on a seam, where it is known
   std::map<int32_t, SeamSlope> slope = {};                       // of those that a cluster settled
-  std::map<std::pair<int32_t, int32_t>, GroundSurface> ground = {};  // by cluster and vertex on an object
+  std::map<std::pair<int32_t, int32_t>, GroundSurface> ground = {};  // by cluster and original vertex
   std::map<int32_t, double> tension = {};                            // by cluster, where it has been chosen
+  std::map<int32_t, GroundTrend> walls = {};  // by cluster, where the surface is ground with walls
 };
 
-// The surface of a cluster at a vertex on a seam, at the end of one, or on an object.
+// The surface of a cluster at a vertex on a seam, at the end of one, on an object; with walls at any original vertex.
 struct ClusterSample {
   int32_t vertex = 0;    // into Plan::vertices
   double height = 0;     // metres
@@ -47,8 +48,9 @@ struct ClusterSample {
   Point2 slope{0, 0};
 };
 
-// Settles the seam vertices of a cluster whose surface is known. Heights are rounded to the plan's lattice. A vertex of
-// several clusters takes the height of the lowest number. The order of clusters is of no importance.
+// Settles the seam vertices of a cluster whose surface is known; heights.walls has the cluster already if that is
+// ground with walls. Heights are rounded to the plan's lattice. A vertex of several clusters takes the height of the
+// lowest number. The order of clusters is of no importance.
 void SettleCluster(const Plan& plan, int32_t cluster, std::span<const ClusterSample> samples, SeamHeights& heights);
 
 // Settles the seam vertices that one layer sampled: each gets the mean of its samples. Seams between two cells of the

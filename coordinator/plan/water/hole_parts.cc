@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "common/mesh/disjoint_sets.h"
+#include "common/mesh/weighted_median.h"
 #include "coordinator/plan/water/hole_groups.h"
 #include "coordinator/plan/water/line_intervals.h"
 
@@ -230,19 +231,6 @@ struct RimPoint {
   bool on_object;
 };
 
-// Half of the length lies below it. None without a height.
-std::optional<double> MedianOf(std::vector<std::pair<double, double>> heights_and_lengths) {
-  std::ranges::sort(heights_and_lengths);
-  double whole = 0;
-  for (const auto& [height, length] : heights_and_lengths) whole += length;
-  double below = 0;
-  for (const auto& [height, length] : heights_and_lengths) {
-    below += length;
-    if (below >= whole / 2) return height;
-  }
-  return std::nullopt;
-}
-
 // Square metres of upright wall between the rim and a level through its objects, and between the rim and the ground.
 struct Walls {
   double to_objects = 0, to_ground = 0;
@@ -257,7 +245,7 @@ Walls WallsOf(const std::vector<RimPoint>& rim, double ground_level) {
   for (const RimPoint& p : rim) {
     if (p.on_object) objects.emplace_back(p.height, p.length);
   }
-  const std::optional<double> level = MedianOf(std::move(objects));
+  const std::optional<double> level = WeightedMedian(std::move(objects));
   if (!level) return {};
   Walls walls{.level = *level};
   for (const RimPoint& p : rim) {
@@ -289,7 +277,7 @@ std::optional<double> GroundLevelOf(const Rims& rims) {
       if (p.ground) ground.emplace_back(*p.ground, p.length);
     }
   }
-  return MedianOf(std::move(ground));
+  return WeightedMedian(std::move(ground));
 }
 
 }  // namespace

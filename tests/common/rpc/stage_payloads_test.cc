@@ -183,9 +183,6 @@ TEST(StagePayloadsTest, TensionsAndSlopesThatNobodyChoseAreMalformed) {
   EXPECT_TRUE(FromProto(holes).ok());
   holes.mutable_holes(0)->set_slope_y(std::nan(""));
   EXPECT_EQ(FromProto(holes).status().code(), absl::StatusCode::kInvalidArgument);
-  for (const HoldOut& bad : {HoldOut{-1, 0, 0, 0}, HoldOut{0, std::nan(""), 0, 0}, HoldOut{0, 0, 0, -1}}) {
-    EXPECT_EQ(FromProto(ToProto(bad)).status().code(), absl::StatusCode::kInvalidArgument);
-  }
 }
 
 TEST(StagePayloadsTest, AQualityTallyComesBackTheSame) {

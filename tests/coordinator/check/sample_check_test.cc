@@ -32,7 +32,7 @@ CellHoles Asked() {
 struct Columns {
   std::vector<int32_t> vertex{70, 71};
   std::vector<double> height{5, 6}, laplacian{0, 0.1}, slope_x{0, 0}, slope_y{0, 0};
-  bool Ok() const { return CheckClusterSamples(Asked(), {vertex, height, laplacian, slope_x, slope_y}).ok(); }
+  bool Ok() const { return CheckClusterSamples(Asked(), false, {vertex, height, laplacian, slope_x, slope_y}).ok(); }
 };
 
 TEST(ClusterSampleCheckTest, TakesOneForEachVertexOrNone) {
@@ -43,6 +43,39 @@ TEST(ClusterSampleCheckTest, TakesOneForEachVertexOrNone) {
   EXPECT_FALSE((Columns{{70, 72}}.Ok()));
   EXPECT_FALSE((Columns{{70, -1}}.Ok()));
   EXPECT_FALSE((Columns{{70, 71}, {5}}.Ok()));
+}
+
+// Each rim vertex has a number, one stands on an object.
+CellHoles AskedWithObject() {
+  CellHoles asked = Asked();
+  for (int i = 0; i < 4; ++i) asked.vertices[i].seam_vertex = 10 + i;
+  asked.vertices[2].on_object = true;
+  return asked;
+}
+
+bool IsTaken(const CellHoles& asked, bool has_walls, const std::vector<int32_t>& vertices) {
+  const std::vector<double> heights(vertices.size(), 5.0), zeros(vertices.size(), 0.0);
+  return CheckClusterSamples(asked, has_walls, {vertices, heights, zeros, zeros, zeros}).ok();
+}
+
+TEST(ClusterSampleCheckTest, TakesSamplesUnderObjectsAndAtEndsOfSeams) {
+  CellHoles asked = AskedWithObject();
+  EXPECT_TRUE(IsTaken(asked, false, {70, 71, 12}));
+  EXPECT_FALSE(IsTaken(asked, false, {70, 71}));
+  EXPECT_FALSE(IsTaken(asked, false, {70, 71, 12, 10}));
+  asked.holes[0].segments.push_back({1, 4, true});
+  EXPECT_FALSE(IsTaken(asked, false, {70, 71, 12}));
+  EXPECT_TRUE(IsTaken(asked, false, {70, 71, 11, 12}));
+}
+
+TEST(ClusterSampleCheckTest, TakesSamplesOfTheWholeRimForGroundWithWalls) {
+  CellHoles asked = AskedWithObject();
+  EXPECT_TRUE(IsTaken(asked, true, {70, 71, 10, 11, 12, 13}));
+  EXPECT_FALSE(IsTaken(asked, true, {70, 71, 10, 11, 12}));
+  EXPECT_FALSE(IsTaken(asked, true, {70, 71, 10, 11, 12, 13, 13}));
+  EXPECT_FALSE(IsTaken(asked, true, {}));
+  asked.vertices[2].on_object = false;
+  EXPECT_FALSE(IsTaken(asked, true, {70, 71, 10, 11, 12, 13})) << "without an object there are no walls";
 }
 
 TEST(ClusterSampleCheckTest, RefusesHeightsFarFromTheRimAndNoNumbers) {

@@ -118,6 +118,45 @@ TEST(MakeCellHolesTest, GoesOnWithTheSlopeOfTheSurfaceOffTheGridLine) {
   EXPECT_EQ(height(), 8 + 1 - 1);
 }
 
+// The surface of ground with walls need not meet the rim. Where two clusters touch, neither tells the other its height.
+TEST(MakeCellHolesTest, TellsWhereGroundWithWallsPasses) {
+  Planned p;
+  const int32_t h = FirstOpenIn(p.plan, {0, 0});
+  const int32_t cluster = p.plan.holes[h].cluster;
+  const auto is_rim = [&](const RimSegment& s) { return p.plan.vertices[s.from].index >= 0; };
+  const int32_t foot = std::ranges::find_if(p.plan.holes[h].segments, is_rim)->from;
+  const auto ground = [&](const std::vector<int32_t>& holes) {
+    const CellHoles made = p.Make(holes);
+    const auto at_foot = [&](const RimVertex& v) { return v.position == p.plan.vertices[foot].position; };
+    return std::ranges::find_if(made.vertices, at_foot)->ground;
+  };
+  p.heights.ground[{cluster, foot}] = {2.5, {0, 0}};
+  EXPECT_FALSE(ground({h}).has_value()) << "a plate meets it";
+  p.heights.walls[cluster] = {{0, 0.5}, 0.125};
+  EXPECT_EQ(ground({h}), 2.5);
+  EXPECT_EQ(p.Make({h}).holes[0].walls.slope, Point2(0, 0.5));
+
+  PlannedHole touching = p.plan.holes[h];
+  touching.cluster = cluster + 1;
+  p.plan.holes.push_back(touching);
+  const auto other = static_cast<int32_t>(p.plan.holes.size()) - 1;
+  EXPECT_FALSE(ground({h, other}).has_value());
+  EXPECT_FALSE(ground({other, h}).has_value());
+}
+
+TEST(MakeCellHolesTest, AsksForTheRimOfAClusterBetweenObjects) {
+  Planned p;
+  const int32_t h = FirstOpenIn(p.plan, {0, 0});
+  const auto asked = [&] {
+    const CellHoles made = p.Make({h});
+    return std::ranges::count_if(made.vertices, [](const RimVertex& v) { return v.seam_vertex >= 0; });
+  };
+  const auto on_seam = asked();
+  p.plan.vertices[p.plan.holes[h].segments[0].from].on_object = true;
+  EXPECT_EQ(asked(), static_cast<int64_t>(p.Make({h}).vertices.size()));
+  EXPECT_GT(asked(), on_seam);
+}
+
 // Where a neighbour's object ends over the outline, the wall goes up to it, and its foot has the surface.
 TEST(MakeCellHolesTest, ReachesUpToTheNeighboursObject) {
   Planned p;

@@ -104,11 +104,12 @@ LocalHole NumberVertices(const CellHoles& cell, const CellBand& band, std::span<
   }
   FindBoundary(hole);
   FindSizes(hole);
-  if (std::any_of(hole.vertices.begin(), hole.vertices.end(), [&](int32_t v) { return cell.vertices[v].on_object; })) {
-    for (const int32_t v : hole.vertices) {
-      hole.on_object.push_back(cell.vertices[v].on_object);
-      hole.ground.push_back(cell.vertices[v].ground);
-    }
+  const auto is_on_object = [&](int32_t v) { return cell.vertices[v].on_object; };
+  if (std::ranges::any_of(hole.vertices, is_on_object)) {
+    for (const int32_t v : hole.vertices) hole.on_object.push_back(is_on_object(v));
+  }
+  if (std::ranges::any_of(hole.vertices, [&](int32_t v) { return cell.vertices[v].ground.has_value(); })) {
+    for (const int32_t v : hole.vertices) hole.ground.push_back(cell.vertices[v].ground);
   }
   return hole;
 }
@@ -118,6 +119,7 @@ LocalHole MakeLocalHole(const CellHoles& cell, const CellBand& band, const CellH
   local.open = hole.open;
   local.slope = hole.slope;
   local.tension = hole.tension;
+  local.walls = hole.walls;
   local.level = hole.level;
   local.river = hole.river;
   local.in_ground = hole.in_ground;

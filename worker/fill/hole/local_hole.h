@@ -27,6 +27,7 @@ struct LocalHole {
   bool open = false;
   Point2 slope{0, 0};                    // as in CellHole
   std::optional<double> tension, level;  // likewise
+  GroundTrend walls;                     // likewise
   WaterSurface river;                    // likewise
   bool in_ground = false;                // likewise
   bool own_outline = false;              // likewise
@@ -39,7 +40,7 @@ struct LocalHole {
   std::vector<Eigen::Vector3d> normals;  // unit, of the surface that goes on into the hole, evened out; zero where none
 
   std::vector<bool> on_object;                // RimVertex::on_object; empty: none is
-  std::vector<std::optional<double>> ground;  // RimVertex::ground; empty as well
+  std::vector<std::optional<double>> ground;  // RimVertex::ground; empty: none has
 
   std::vector<RegionSegment> segments;  // the hole on the left
   std::vector<VertexPair> boundary;     // the same, sorted, as edges

@@ -312,10 +312,8 @@ class FoldedFiller {
     whole_.has_equation.push_back(false);
     whole_.normals.emplace_back(Eigen::Vector3d::Zero());
     // Where the boundary folds it runs up something.
-    if (!whole_.on_object.empty()) {
-      whole_.on_object.push_back(true);
-      whole_.ground.emplace_back(std::nullopt);
-    }
+    if (!whole_.on_object.empty()) whole_.on_object.push_back(true);
+    if (!whole_.ground.empty()) whole_.ground.emplace_back(std::nullopt);
     return whole_.size() - 1;
   }
 
@@ -331,6 +329,7 @@ class FoldedFiller {
     like.open = hole_.open;
     like.slope = hole_.slope;
     like.tension = hole_.tension;
+    like.walls = hole_.walls;
     like.level = hole_.level;
     like.river = hole_.river;
     like.in_ground = hole_.in_ground;
@@ -353,10 +352,8 @@ class FoldedFiller {
       local.sizes.push_back(whole_.sizes[v]);
       local.normals.push_back(whole_.normals[v]);
       local.has_equation.push_back(whole_.has_equation[v] && !at_fold.contains(v));
-      if (!whole_.on_object.empty()) {
-        local.on_object.push_back(whole_.on_object[v]);
-        local.ground.push_back(whole_.ground[v]);
-      }
+      if (!whole_.on_object.empty()) local.on_object.push_back(whole_.on_object[v]);
+      if (!whole_.ground.empty()) local.ground.push_back(whole_.ground[v]);
       return number[v];
     };
     for (const RegionSegment& s : segments_) {

@@ -9,6 +9,7 @@
 #include "worker/fill/surface/hole_width.h"
 #include "worker/fill/surface/plate_over_slope.h"
 #include "worker/fill/surface/thin_plate.h"
+#include "worker/fill/surface/walled_ground.h"
 
 namespace tilemend {
 namespace {
@@ -32,18 +33,38 @@ void AddLaplacians(const LocalHole& hole, const std::vector<bool>& has_equation,
   }
 }
 
+// Solves nothing if the surface is to have walls.
 std::optional<std::vector<double>> SolveWhole(const LocalHole& hole, const FillOptions& options,
-                                              ThinPlateProblem& plate, std::optional<HoldOut>& chosen) {
+                                              ThinPlateProblem& plate, std::optional<HoldOut>& chosen,
+                                              bool& has_walls) {
   FreeSteepRim(plate);
   if (options.tension || hole.tension) {
     plate.tension = options.tension ? *options.tension : *hole.tension;
     return SolveThinPlate(plate);
   }
-  chosen = ChooseTension(plate, hole.size() < kMinRimForHoldOut ? 0 : HoleWidth(plate.points, hole.segments));
+  const double width = hole.size() < kMinRimForHoldOut ? 0 : HoleWidth(plate.points, hole.segments);
+  chosen = ChooseTension(plate, width);
+  has_walls = (hole.open || hole.in_ground) && HasWalls(hole, *chosen, width);
+  if (has_walls) return std::nullopt;
   plate.tension = chosen->tension;
   auto laplacian = SolveWithinReach(plate);
   chosen->tension = plate.tension;
   return laplacian;
+}
+
+bool SolveSurface(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options, RimUse use,
+                  ThinPlateProblem& plate, std::optional<HoldOut>& chosen) {
+  if (frame.upright() && hole.walls.is_told())
+    return SolveWalledGround(SettledReadingsOf(hole), hole.walls, plate, options.refine.is_cancelled);
+  bool has_walls = false;
+  const auto laplacian = SolveOverSlope(frame.upright() ? hole.slope : Point2(0, 0), plate, [&] {
+    if (use == RimUse::kWhole) return SolveWhole(hole, options, plate, chosen, has_walls);
+    plate.tension = options.tension.value_or(0);
+    return SolveThinPlate(plate);
+  });
+  if (!has_walls) return laplacian.has_value();
+  chosen->walls = TrendOf(plate);
+  return SolveWalledGround(ReadingsOf(hole), chosen->walls, plate, options.refine.is_cancelled);
 }
 
 bool SolveAsThinPlate(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options, RimUse use,
@@ -59,15 +80,11 @@ bool SolveAsThinPlate(const LocalHole& hole, const ProjectionFrame& frame, const
   }
   if (frame.upright()) AddLaplacians(hole, patch.has_equation, plate);
   if (frame.upright() && !FreeRim(hole.on_object, hole.ground, plate)) return false;
-  const auto laplacian = SolveOverSlope(frame.upright() ? hole.slope : Point2(0, 0), plate, [&] {
-    if (use == RimUse::kWhole) return SolveWhole(hole, options, plate, chosen);
-    plate.tension = options.tension.value_or(0);
-    return SolveThinPlate(plate);
-  });
+  const bool is_solved = SolveSurface(hole, frame, options, use, plate, chosen);
   patch.points = std::move(plate.points);
   patch.points.resize(all);
   patch.triangles = std::move(plate.patch);
-  return laplacian.has_value();
+  return is_solved;
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "worker/fill/surface/hole_width.h"
 #include "worker/fill/surface/plate_over_slope.h"
 #include "worker/fill/surface/thin_plate.h"
+#include "worker/fill/surface/walled_ground.h"
 
 namespace tilemend {
 namespace {
@@ -56,19 +57,32 @@ class ClusterSampler {
     ThinPlateProblem problem = Problem();
     ClusterSurface surface;
     if (!FreeRim(hole_.on_object, hole_.ground, problem)) return std::nullopt;
-    const std::optional<std::vector<double>> laplacian =
-        SolveOverSlope(cluster_.holes[0].slope, problem, [&] { return SolvePlate(problem, surface.hold_out); });
+    bool has_walls = false;
+    std::optional<std::vector<double>> laplacian = SolveOverSlope(
+        cluster_.holes[0].slope, problem, [&] { return SolvePlate(problem, surface.hold_out, has_walls); });
+    if (has_walls) {
+      surface.hold_out->walls = TrendOf(problem);
+      laplacian.emplace(problem.points.size(), 0);
+      if (!SolveWalledGround(ReadingsOf(hole_), surface.hold_out->walls, problem, options_.refine.is_cancelled))
+        return std::nullopt;
+    }
     if (!laplacian) return std::nullopt;
-    surface.samples = Samples(problem, *laplacian);
+    surface.samples = Samples(problem, *laplacian, has_walls);
     return surface;
   }
 
  private:
-  // Fills in the heights; returns the Laplacians. Chooses the tension where it is open.
-  std::optional<std::vector<double>> SolvePlate(ThinPlateProblem& problem, std::optional<HoldOut>& hold_out) const {
+  // Fills in the heights; returns the Laplacians. Chooses the tension where it is open. Solves nothing if the surface
+  // is to have walls.
+  std::optional<std::vector<double>> SolvePlate(ThinPlateProblem& problem, std::optional<HoldOut>& hold_out,
+                                                bool& has_walls) const {
     FreeSteepRim(problem);
     const double width = HoleWidth(problem.points, OutlineSegments());
-    if (!options_.tension) hold_out = ChooseTension(problem, width);
+    if (!options_.tension) {
+      hold_out = ChooseTension(problem, width);
+      has_walls = HasWalls(hole_, *hold_out, width);
+      if (has_walls) return std::nullopt;
+    }
     problem.tension = options_.tension ? *options_.tension : hold_out->tension;
     const std::vector<int32_t> edge = UnknownAtTheEdge(problem);
     if (!edge.empty() && !SolveEdge(width, edge, problem)) return std::nullopt;
@@ -86,13 +100,15 @@ class ClusterSampler {
     return edge;
   }
 
-  std::vector<SurfaceSample> Samples(const ThinPlateProblem& problem, const std::vector<double>& laplacian) const {
+  // With walls at all vertices: the surface need not meet the rim.
+  std::vector<SurfaceSample> Samples(const ThinPlateProblem& problem, const std::vector<double>& laplacian,
+                                     bool has_walls) const {
     const std::vector<Point2> slope = Slopes(problem);
-    std::map<int32_t, SurfaceSample> samples = AtSeams(problem, laplacian, slope);
+    std::map<int32_t, SurfaceSample> samples = AtSeams(problem, laplacian, slope, has_walls);
     AddBesideSeams(problem, laplacian, slope, samples);
-    for (size_t v = 0; v < hole_.on_object.size(); ++v) {
-      if (hole_.on_object[v])
-        samples.try_emplace(hole_.vertices[v], SurfaceSample{0, problem.points[v].z(), 0, slope[v]});
+    for (int32_t v = 0; v < hole_.size(); ++v) {
+      if (!has_walls && !cluster_.vertices[hole_.vertices[v]].on_object) continue;
+      samples.try_emplace(hole_.vertices[v], SurfaceSample{0, problem.points[v].z(), 0, slope[v]});
     }
     std::vector<SurfaceSample> result;
     for (auto& [v, sample] : samples) {
@@ -246,7 +262,9 @@ class ClusterSampler {
 
   // The surface at every vertex of the seams, by vertex; between those that were kept, along the seam.
   std::map<int32_t, SurfaceSample> AtSeams(const ThinPlateProblem& problem, const std::vector<double>& laplacian,
-                                           const std::vector<Point2>& slope) const {
+                                           const std::vector<Point2>& slope, bool has_walls) const {
+    // A curve would go beyond both sides of a wall.
+    const auto between = has_walls ? LinearAlong : InterpolatedAlong;
     std::map<int32_t, SurfaceSample> values;
     std::map<int32_t, int32_t> number;
     for (int32_t v = 0; v < hole_.size(); ++v) number.emplace(hole_.vertices[v], v);
@@ -265,10 +283,10 @@ class ClusterSampler {
         slopes_x.push_back(slope[local].x());
         slopes_y.push_back(slope[local].y());
       }
-      const std::vector<double> h = InterpolatedAlong(knots, heights, along);
-      const std::vector<double> l = InterpolatedAlong(knots, laplacians, along);
-      const std::vector<double> x = InterpolatedAlong(knots, slopes_x, along);
-      const std::vector<double> y = InterpolatedAlong(knots, slopes_y, along);
+      const std::vector<double> h = between(knots, heights, along);
+      const std::vector<double> l = between(knots, laplacians, along);
+      const std::vector<double> x = between(knots, slopes_x, along);
+      const std::vector<double> y = between(knots, slopes_y, along);
       for (size_t i = 0; i < vertices.size(); ++i) {
         const int32_t v = vertices[i];
         const bool stays = IsKnown(v) && !IsOriginal(v);

@@ -1,5 +1,6 @@
 #include "worker/fill/seam/seam_chains.h"
 
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -89,6 +90,17 @@ std::vector<size_t> ThinnedChain(const CellHoles& cluster, const SeamChain& chai
   }
   kept.push_back(chain.vertices.size() - 1);
   return kept;
+}
+
+std::vector<double> LinearAlong(std::span<const double> knots, std::span<const double> values,
+                                std::span<const double> at) {
+  std::vector<double> result;
+  size_t i = 0;
+  for (const double x : at) {
+    while (i + 2 < knots.size() && x > knots[i + 1]) ++i;
+    result.push_back(std::lerp(values[i], values[i + 1], (x - knots[i]) / (knots[i + 1] - knots[i])));
+  }
+  return result;
 }
 
 std::vector<double> InterpolatedAlong(std::span<const double> knots, std::span<const double> values,

@@ -22,6 +22,11 @@ std::vector<SeamChain> SeamChains(const CellHoles& cluster);
 // the first and the last. Rising.
 std::vector<size_t> ThinnedChain(const CellHoles& cluster, const SeamChain& chain, double factor);
 
+// The value at each of `at` (rising), linear between values[i] at knots[i]. At least two knots, rising; `at` within
+// them.
+std::vector<double> LinearAlong(std::span<const double> knots, std::span<const double> values,
+                                std::span<const double> at);
+
 // The value at each of `at` (rising) of the curve through values[i] at knots[i]: cubic Hermite, with the slopes of the
 // parabolas through three neighbouring knots; straight between two. At least two knots, rising; `at` within them.
 std::vector<double> InterpolatedAlong(std::span<const double> knots, std::span<const double> values,

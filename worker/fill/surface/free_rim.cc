@@ -124,12 +124,12 @@ std::vector<bool> TiedToGround(const std::vector<bool>& on_object, const ThinPla
 
 bool FreeRim(const std::vector<bool>& on_object, const std::vector<std::optional<double>>& ground,
              ThinPlateProblem& problem) {
-  std::vector<bool> settled(on_object.size(), false), open = on_object;
+  std::vector<bool> settled(std::max(on_object.size(), ground.size()), false), open = on_object;
   for (size_t v = 0; v < ground.size(); ++v) {
-    if (!on_object[v] || !ground[v]) continue;
+    if (!ground[v]) continue;
     problem.points[v].z() = *ground[v];
     settled[v] = true;
-    open[v] = false;
+    if (v < open.size()) open[v] = false;
   }
   TakeAwayBand(settled, problem);
   const std::vector<bool> tied = TiedToGround(open, problem);

@@ -13,9 +13,9 @@ namespace tilemend {
 // For the first points of the problem, `on_object` says which stand on objects. These are the heights of the plane
 // through the other known points of the patch. That plane is made less steep by the share of their variance that it
 // does not explain. The membrane over what these have beside that plane is added. A rim of one plane gives that plane;
-// one of steps does not go on with their slope. Where such a height is known (`ground`, as many as `on_object`, or
-// none) it is that one. The rows of triangles at such points then rise to the objects themselves as a wall, once their
-// own heights are put back.
+// one of steps does not go on with their slope. Where such a height is known (`ground`, as many, or none) it is that
+// one, on objects or not. The rows of triangles at such points then rise to the objects themselves as a wall, once
+// their own heights are put back.
 //
 // Takes away the band at these points, and the equations of those that would be left without a full ring. Nothing
 // changes at points from which every way through the patch to ground leads over known points. Nothing changes if no

@@ -1,47 +1,18 @@
 #include "worker/fill/surface/plate_equations.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
 
 #include "common/mesh/vertex_lists.h"
+#include "worker/fill/surface/plate_element.h"
 
 namespace tilemend {
 namespace {
 
-// Needles in the band are given the area of a triangle with this angle, so that they cannot outweigh everything else.
-constexpr double kLeastSine = 1e-3;
-
-// Stiffness of one triangle and its area, in the plane or in space.
-struct Element {
-  std::array<double, 3> half_cotangent;  // of the angle at each corner
-  double area;
-};
-
-double TwiceArea(const Point2& u, const Point2& v) { return std::abs(u.x() * v.y() - u.y() * v.x()); }
-double TwiceArea(const Point3& u, const Point3& v) { return u.cross(v).norm(); }
-
-template <class Point>
-Element ElementOf(const std::array<Point, 3>& p) {
-  Element e;
-  double longest2 = 0;
-  for (int k = 0; k < 3; ++k) longest2 = std::max(longest2, (p[(k + 1) % 3] - p[k]).squaredNorm());
-  const Point u = p[1] - p[0], v = p[2] - p[0];
-  const double area2 = std::max(TwiceArea(u, v), kLeastSine * longest2);
-  e.area = area2 / 2;
-  for (int k = 0; k < 3; ++k) {
-    const Point s = p[(k + 1) % 3] - p[k], t = p[(k + 2) % 3] - p[k];
-    e.half_cotangent[k] = s.dot(t) / area2 / 2;
-  }
-  return e;
-}
-
-Element ElementOf(const ThinPlateProblem& problem, const Triangle& t) {
+PlateElement ElementOf(const ThinPlateProblem& problem, const Triangle& t) {
   const std::vector<Point3>& p = problem.points;
-  if (problem.along.empty()) return ElementOf<Point2>({p[t[0]].head<2>(), p[t[1]].head<2>(), p[t[2]].head<2>()});
-  return ElementOf<Point3>({problem.along[t[0]], problem.along[t[1]], problem.along[t[2]]});
+  if (problem.along.empty()) return PlateElementOf<Point2>({p[t[0]].head<2>(), p[t[1]].head<2>(), p[t[2]].head<2>()});
+  return PlateElementOf<Point3>({problem.along[t[0]], problem.along[t[1]], problem.along[t[2]]});
 }
 
 // The corners of all triangles at each point: corner 4 t + k is corner k of triangle t, the patch's before the band's.
@@ -67,7 +38,7 @@ double CollectRow(const ThinPlateProblem& problem, const VertexLists& corners, i
   for (const int32_t c : corners.Of(v)) {
     const int32_t number = c >> 2, next = ((c & 3) + 1) % 3, last = ((c & 3) + 2) % 3;
     const Triangle& t = number < patch_count ? problem.patch[number] : problem.band[number - patch_count];
-    const Element e = ElementOf(problem, t);
+    const PlateElement e = ElementOf(problem, t);
     mass += e.area / 3;
     row.emplace_back(t[next], e.half_cotangent[last]);
     row.emplace_back(t[last], e.half_cotangent[next]);

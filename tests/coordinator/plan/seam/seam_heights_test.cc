@@ -148,6 +148,21 @@ TEST(SettleClusterTest, KeepsTheSurfaceUnderAnObjectAndItsSlope) {
   EXPECT_THAT(heights.height, IsEmpty());
 }
 
+TEST(SettleClusterTest, WithWallsTheSurfaceNeedNotMeetOriginals) {
+  const Plan plan = OneSeam(1, 30, 4);
+  const std::vector<ClusterSample> samples = {{0, 29.5, 0}, {1, 12, 0}, {2, 4, 0}};
+  SeamHeights heights;
+  SettleCluster(plan, 4, samples, heights);
+  EXPECT_THAT(heights.ground, IsEmpty());
+  heights = {};
+  heights.walls[4] = {{0, 0}, 0.1};
+  SettleCluster(plan, 4, samples, heights);
+  ASSERT_EQ(heights.ground.size(), 2U);
+  EXPECT_EQ(heights.ground.at({4, 0}).height, 29.5);
+  EXPECT_THAT(heights.height, ElementsAre(Pair(1, 12)));
+  EXPECT_THAT(heights.laplacian, IsEmpty());
+}
+
 TEST(SettleClusterTest, TheOrderOfClustersIsOfNoImportance) {
   Plan plan = OneSeam(2, 0, 0);
   plan.vertices[0].on_object = true;

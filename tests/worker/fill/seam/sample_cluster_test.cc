@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 #include <vector>
+
+#include "worker/fill/fill_holes.h"
 
 namespace tilemend {
 namespace {
@@ -116,6 +119,75 @@ TEST(SampleClusterTest, ARimThatCrossesTheSeamHasNoSurface) {
 }
 
 // As where water ends at a grid line, also where the seam is thinned.
+// The cluster in a level street: a house in the west, and every third vertex of the rest of the rim is the foot of a
+// wall.
+CellHoles Street() {
+  CellHoles work = Cluster(0);
+  for (size_t i = 0; i < work.vertices.size(); ++i) {
+    RimVertex& v = work.vertices[i];
+    v.seam_vertex = static_cast<int32_t>(i);
+    if (v.index < 0) continue;
+    v.on_object = v.position.x() == 0;
+    v.on_ground = !v.on_object;
+    v.position.z() += v.on_object ? 9 : i % 3 == 0 ? 0.4 : 0;
+    work.band.points[i] = v.position;
+  }
+  for (const CellHole& hole : work.holes) {
+    for (const RimSegment& s : hole.segments) {
+      if (s.seam) continue;
+      const Point3 &a = work.vertices[s.from].position, &b = work.vertices[s.to].position;
+      const auto beside = static_cast<int32_t>(work.band.points.size());
+      work.band.points.emplace_back((a.x() + b.x()) / 2 + (b.y() - a.y()), (a.y() + b.y()) / 2 - (b.x() - a.x()), 3);
+      work.band.triangles.push_back({s.to, s.from, beside});
+    }
+  }
+  return work;
+}
+
+TEST(SampleClusterTest, GivesGroundWithWallsAStreetsHeightUnderTheWholeRim) {
+  const CellHoles street = Street();
+  const auto surface = SampleCluster(street, {});
+  ASSERT_TRUE(surface.has_value());
+  EXPECT_TRUE(surface->hold_out->walls.is_told());
+  EXPECT_EQ(surface->samples.size(), street.vertices.size());
+  for (const SurfaceSample& s : surface->samples) {
+    const bool on_seam = street.vertices[s.seam_vertex].index < 0;
+    EXPECT_NEAR(s.height, 3, on_seam ? 0.1 : 0.15) << s.seam_vertex;
+  }
+  FillOptions fixed;
+  fixed.tension = 1;
+  const auto plate = SampleCluster(street, fixed);
+  ASSERT_TRUE(plate.has_value());
+  EXPECT_LT(plate->samples.size(), street.vertices.size()) << "under objects and along the seam alone";
+}
+
+TEST(SampleClusterTest, ACellOfGroundWithWallsHasTheSurfaceOfTheCluster) {
+  CellHoles cell = Street();
+  const auto surface = SampleCluster(cell, {});
+  ASSERT_TRUE(surface.has_value());
+  for (const SurfaceSample& s : surface->samples) {
+    RimVertex& v = cell.vertices[s.seam_vertex];
+    if (v.index >= 0) {
+      v.ground = s.height;
+    } else {
+      v.position.z() = s.height;
+      v.height_known = true;
+    }
+  }
+  for (CellHole& hole : cell.holes) {
+    hole.open = true;
+    hole.tension = surface->hold_out->tension;
+    hole.walls = surface->hold_out->walls;
+  }
+  const std::vector<HolePatch> patches = FillHoles(cell, {});
+  ASSERT_EQ(patches.size(), 2U);
+  for (const HolePatch& patch : patches) {
+    EXPECT_EQ(patch.failure, "");
+    EXPECT_FALSE(patch.new_points.empty());
+    for (const Point3& p : patch.new_points) EXPECT_NEAR(p.z(), 3, 0.15) << p.transpose();
+  }
+}
+
 TEST(SampleClusterTest, KnownHeightsOfASeamStay) {
   CellHoles cluster = Cluster(0);
   for (RimVertex& v : cluster.vertices) {

@@ -1,0 +1,62 @@
+// Ground with walls in it: the surface of a hole between objects.
+#ifndef TILEMEND_WORKER_FILL_SURFACE_WALLED_GROUND_H_
+#define TILEMEND_WORKER_FILL_SURFACE_WALLED_GROUND_H_
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "common/records/cell_holes.h"
+#include "worker/fill/hole/local_hole.h"
+#include "worker/fill/surface/thin_plate_problem.h"
+
+namespace tilemend {
+
+// What the height of a point on the rim says of the ground.
+enum class RimReading : uint8_t {
+  kFixed,    // the surface passes through it
+  kReading,  // it is the ground, or stands on it
+  kNothing,
+};
+
+// The ground around a hole, from the triangles of the band that are no walls: the median slope, and the median
+// steepness beside that. 2 % at least; 10 % where the band has no ground. O(n log n).
+GroundTrend TrendOf(const ThinPlateProblem& problem);
+
+// Whether such a surface is looked for: a tenth of the rim's original vertices or more stand on objects, and the
+// tension that the rim chose is taut beyond a fifth of the width (30 / width^2 or more). So is that of a rim that was
+// not tested, as most of it stands on objects.
+//   width  of the hole, metres
+bool HasWalls(const LocalHole& hole, const HoldOut& chosen, double width);
+
+// Of the vertices of a hole. What stands on the ground is a reading, and the ground under an object where it is known.
+// New vertices of known height are fixed, and objects that the surface meets.
+std::vector<RimReading> ReadingsOf(const LocalHole& hole);
+
+// The same where the surface of the whole cluster is known: vertices of which it tells the height are fixed. Not known
+// are those beyond the grid line, where tiles overlap, and those that two clusters share.
+std::vector<RimReading> SettledReadingsOf(const LocalHole& hole);
+
+// Heights of the surface with the fewest walls. Beside objects much of a rim stands above the ground, as feet of walls,
+// kerbs, cars and bushes that the ground filter does not tell from it. A hole may also reach from the street down to a
+// canal, or up to a roof. So the surface minimises, over the patch and along its edge,
+//
+//   integral of phi(|gradient - trend.slope|)  +  integral along the edge of rho(reading - height)
+//
+// where phi(s) is s^2 / (2 k) up to the steepness k of the ground, and s - k / 2 beyond: a wall costs its own area
+// (total variation with Huber's function). rho counts what stands above the surface a quarter, what lies below it three
+// quarters (Koenker and Bassett 1978): a reading is the lowest quarter of what it may be. So a reading lifts the
+// surface with a quarter of the slope k at most, and walls stand where they are shortest.
+//
+// Solved by lagged weights (Vogel and Oman 1996): a membrane each round, at most 20 rounds, until no height moves by
+// more than 2 mm. The heights of all points of the patch are known then, and no point has an equation or a band. A
+// patch cut along a line of known heights has nearly the same surface on both sides. False, with the heights as they
+// were, if a system cannot be factorised, or nothing is known of any height.
+//   readings      of the first points of the problem
+//   is_cancelled  asked each round; true ends the work, and nobody wants what comes of it
+bool SolveWalledGround(const std::vector<RimReading>& readings, const GroundTrend& trend, ThinPlateProblem& problem,
+                       const std::function<bool()>& is_cancelled = {});
+
+}  // namespace tilemend
+
+#endif  // TILEMEND_WORKER_FILL_SURFACE_WALLED_GROUND_H_
