@@ -172,8 +172,9 @@ class CellHolesBuilder {
     const PlanVertex& p = plan_.vertices[plan_vertex];
     const int32_t source = p.follows >= 0 ? p.follows : plan_vertex;
     const PlanVertex& s = plan_.vertices[source];
-    if (p.on_neighbour && (p.on_object || s.index >= 0)) return s.position.z();
+    if (p.on_neighbour && p.on_object) return s.position.z();
     if (const auto own = heights_.height.find(plan_vertex); own != heights_.height.end()) return own->second;
+    if (p.on_neighbour && s.index >= 0) return s.position.z();
     if (const auto ground = heights_.ground.find({cluster, source}); ground != heights_.ground.end()) {
       return RoundedToLattice(GoingOn(ground->second, source, p.position), plan_.lattice_step);
     }

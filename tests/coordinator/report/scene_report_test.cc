@@ -216,7 +216,7 @@ TEST_F(SceneReportTest, GivesHolesOfARiverTheLevelsOfItsEnds) {
 
 TEST_F(SceneReportTest, TellsTheTensionsThatWerePutToATest) {
   input_.outcome.of_clusters[0] = {0.5, 0.1, 0.2, 6};
-  input_.outcome.of_holes[0] = {0.25, 0, 0, 0};  // not tested
+  input_.outcome.of_holes[0] = {0.25, 0, 0, 0};                     // not tested
   input_.outcome.of_clusters[1] = {300, 0, 0, 0, {{0, 0}, 0.125}};  // ground with walls
   const Json report = Report();
   ASSERT_EQ(report["tension"].size(), 2U);
