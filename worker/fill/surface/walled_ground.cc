@@ -22,7 +22,9 @@ constexpr double kManyObjects = 0.1;     // of the rim's original vertices
 constexpr double kTautTension = 20;      // times 1 / width^2: between two candidates of ChooseTension
 constexpr double kUsualSteepness = 0.1;  // rise / run, as GroundFilterOptions::slope
 constexpr double kLeastSteepness = 0.02;
-constexpr double kShareAbove = 0.25;  // of what stands above the surface; the rest is of what lies below it
+// What a square metre between a reading and the surface costs, where one of wall costs 1.
+constexpr double kCostBelowReading = 0.25;  // the surface passes below the reading
+constexpr double kCostAboveReading = 2;
 constexpr int kMostRounds = 20;
 constexpr double kSettled = 0.002;  // metres
 constexpr double kLeastOff = 0.01;  // metres: heights are told no better
@@ -171,9 +173,9 @@ class WalledGround {
 
   void AddReading(int32_t v, double height, bool is_first, Entries& entries) {
     const double above = height - heights_[v];
-    const double share = above > 0 ? kShareAbove : 1 - kShareAbove;
+    const double cost = above > 0 ? kCostBelowReading : kCostAboveReading;
     const double off = std::max(std::abs(above), kLeastOff);
-    const double weight = steepness_ * lengths_[v] * (is_first ? 0.5 / kFirstOff : share / off);
+    const double weight = steepness_ * lengths_[v] * (is_first ? 0.5 / kFirstOff : cost / off);
     entries.emplace_back(column_[v], column_[v], weight);
     right_[column_[v]] += weight * height;
   }

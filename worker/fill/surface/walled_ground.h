@@ -44,9 +44,9 @@ std::vector<RimReading> SettledReadingsOf(const LocalHole& hole);
 //   integral of phi(|gradient - trend.slope|)  +  integral along the edge of rho(reading - height)
 //
 // where phi(s) is s^2 / (2 k) up to the steepness k of the ground, and s - k / 2 beyond: a wall costs its own area
-// (total variation with Huber's function). rho counts what stands above the surface a quarter, what lies below it three
-// quarters (Koenker and Bassett 1978): a reading is the lowest quarter of what it may be. So a reading lifts the
-// surface with a quarter of the slope k at most, and walls stand where they are shortest.
+// (total variation with Huber's function). rho counts a quarter of what stands above the surface, and twice what lies
+// below it (as in quantile regression: Koenker and Bassett 1978). So a reading lifts the surface with a quarter of the
+// slope k at most. One that lies low is followed, even if that takes a wall. Walls stand where they are shortest.
 //
 // Solved by lagged weights (Vogel and Oman 1996): a membrane each round, at most 20 rounds, until no height moves by
 // more than 2 mm. The heights of all points of the patch are known then, and no point has an equation or a band. A
