@@ -126,7 +126,7 @@ class WalledGround {
   std::optional<double> SolveRound(bool is_first) {
     Eigen::SparseMatrix<double> matrix = MakeEquations(is_first);
     if (is_first) order_ = OrderOf(matrix);
-    const SymmetricFactorization factorization(order_, std::move(matrix));
+    const SymmetricFactorization factorization(order_, matrix);
     if (!factorization.ok()) return std::nullopt;
     const Eigen::VectorXd found = factorization.Solve(right_);
     if (!found.allFinite()) return std::nullopt;
