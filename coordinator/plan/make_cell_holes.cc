@@ -174,6 +174,7 @@ class CellHolesBuilder {
     const PlanVertex& s = plan_.vertices[source];
     if (p.on_neighbour && p.on_object) return s.position.z();
     if (const auto own = heights_.height.find(plan_vertex); own != heights_.height.end()) return own->second;
+    // Where the neighbour has surface the fill ends at its vertex, also if the surface of the cluster passes elsewhere.
     if (p.on_neighbour && s.index >= 0) return s.position.z();
     if (const auto ground = heights_.ground.find({cluster, source}); ground != heights_.ground.end()) {
       return RoundedToLattice(GoingOn(ground->second, source, p.position), plan_.lattice_step);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "common/mesh/disjoint_sets.h"
+#include "common/mesh/triangle_shape.h"
 #include "common/mesh/weighted_median.h"
 #include "worker/fill/surface/direct_solver.h"
 #include "worker/fill/surface/height_reach.h"
@@ -28,7 +29,9 @@ constexpr double kCostAboveReading = 2;
 constexpr int kMostRounds = 20;
 constexpr double kSettled = 0.002;  // metres
 constexpr double kLeastOff = 0.01;  // metres: heights are told no better
-constexpr double kFirstOff = 0.1;   // metres: in the first round, where nothing is known of the surface
+// In the first round, where nothing is known of the surface yet.
+constexpr double kFirstOff = 0.1;  // metres
+constexpr double kFirstCost = 0.5;
 
 // Half the length of the edges at each point that only one triangle has, seen from above.
 std::vector<double> EdgeLengths(const ThinPlateProblem& problem) {
@@ -175,7 +178,7 @@ class WalledGround {
     const double above = height - heights_[v];
     const double cost = above > 0 ? kCostBelowReading : kCostAboveReading;
     const double off = std::max(std::abs(above), kLeastOff);
-    const double weight = steepness_ * lengths_[v] * (is_first ? 0.5 / kFirstOff : cost / off);
+    const double weight = steepness_ * lengths_[v] * (is_first ? kFirstCost / kFirstOff : cost / off);
     entries.emplace_back(column_[v], column_[v], weight);
     right_[column_[v]] += weight * height;
   }
@@ -221,8 +224,7 @@ GroundTrend TrendOf(const ThinPlateProblem& problem) {
   std::vector<std::pair<double, double>> x, y, beside;
   for (const Triangle& t : problem.band) {
     if (!IsGround(problem, t)) continue;
-    const Point3& a = problem.points[t[0]];
-    const Point3 normal = (problem.points[t[1]] - a).cross(problem.points[t[2]] - a);
+    const Eigen::Vector3d normal = TwiceVectorArea(problem.points, t);
     const Point2 slope = -normal.head<2>() / normal.z();
     slopes.emplace_back(slope, normal.z());
     x.emplace_back(slope.x(), normal.z());

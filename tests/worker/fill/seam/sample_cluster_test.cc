@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 #include <vector>
@@ -159,6 +160,23 @@ TEST(SampleClusterTest, GivesGroundWithWallsAStreetsHeightUnderTheWholeRim) {
   const auto plate = SampleCluster(street, fixed);
   ASSERT_TRUE(plate.has_value());
   EXPECT_LT(plate->samples.size(), street.vertices.size()) << "under objects and along the seam alone";
+}
+
+TEST(SampleClusterTest, AHoleInOneCellChoosesGroundWithWallsItself) {
+  CellHoles cell = Street();
+  CellHole whole{.in_ground = true};
+  for (const CellHole& hole : cell.holes) {
+    std::ranges::copy_if(hole.segments, std::back_inserter(whole.segments),
+                         [](const RimSegment& s) { return !s.seam; });
+  }
+  cell.holes = {whole};
+  const std::vector<HolePatch> patches = FillHoles(cell, {});
+  ASSERT_EQ(patches.size(), 1U);
+  EXPECT_EQ(patches[0].failure, "");
+  ASSERT_TRUE(patches[0].hold_out.has_value());
+  EXPECT_TRUE(patches[0].hold_out->walls.is_told());
+  EXPECT_FALSE(patches[0].new_points.empty());
+  for (const Point3& p : patches[0].new_points) EXPECT_NEAR(p.z(), 3, 0.15) << p.transpose();
 }
 
 TEST(SampleClusterTest, ACellOfGroundWithWallsHasTheSurfaceOfTheCluster) {
