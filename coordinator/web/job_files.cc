@@ -183,6 +183,7 @@ LoadedValues<std::string>::Result LoadHoles(const std::string& name, const JobSp
   return TextOf({{"holeCount", HoleRowsOf(report).size()},
                  {"holes", PageHoles(report, kMostListedHoles)},
                  {"planned", false},
+                 {"date", Member(report, "date")},  // tells a report from the one before, even with the same holes
                  {"fillsToDecide", FillsToDecideOn(report)},
                  {"warnings", warnings.is_array() ? warnings : Json::array()}});
 }

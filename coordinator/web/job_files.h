@@ -27,9 +27,9 @@ class JobFiles {
   // over also if no scene.json lies in the scene's folder or in the output's. Errors of LoadScene.
   absl::StatusOr<std::shared_ptr<const SceneSight>> SightOf(const std::string& name, const JobCells& job);
 
-  // {"holeCount", "holes", "planned"} as JSON text: as planned, then as in the report, with its "warnings". kNotFound
-  // (REPORT_NOT_FOUND) before there is a plan; errors of reading. Looks at the output's files, as the next two do: a
-  // mount may hang.
+  // {"holeCount", "holes", "planned"} as JSON text: as planned, then as in the report, with its "date" and
+  // "warnings". kNotFound (REPORT_NOT_FOUND) before there is a plan; errors of reading. Looks at the output's files, as
+  // the next two do: a mount may hang.
   absl::StatusOr<std::shared_ptr<const std::string>> HolesOf(const std::string& name, const JobCells& job);
 
   // The review queue (page_review.h) as JSON text. kNotFound (REPORT_NOT_FOUND) before there is a report; errors of

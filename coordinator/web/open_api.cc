@@ -108,6 +108,7 @@ constexpr char kOwnSchemas[] = R"({
   "Holes": {"type": "object", "properties": {
     "holeCount": {"type": "integer"}, "holes": {"type": "array", "items": {"type": "object"}},
     "planned": {"type": "boolean", "description": "true: the plan's; what became of them is not known yet"},
+    "date": {"type": "string", "nullable": true, "description": "of the report, once there is one"},
     "fillsToDecide": {"type": "integer", "description": "rows of the report's review, once there is one"},
     "warnings": {"type": "array", "items": {"type": "string"}, "description": "of the report, once there is one"}}},
   "Review": {"type": "object", "properties": {

@@ -58,13 +58,25 @@ def square(column, row):
 
 
 def drive(cluster, folder, chromium, job):
-    """Runs the script, and does what it asks for."""
+    """Runs the script, and does what it asks for. `job`: of the scene `lakes`."""
+    scene, out = cluster.path('lakes'), cluster.path('out_lakes')
+
+    def run_again():
+        done = subprocess.run([cluster.program('tilemend'), 'run', scene, '--out', out, '--overwrite'],
+                              capture_output=True, text=True, timeout=120)
+        if done.returncode:
+            fail(done.stderr)
+
+    def submit_again():
+        cluster.submit(scene, '--overwrite', '--wait')
+
+    actions = {'kill': cluster.kill, 'start': cluster.start, 'run_again': run_again, 'submit_again': submit_again}
     script = subprocess.Popen(['node', 'open_console.mjs', f'http://{cluster.web}', chromium, folder, job], cwd=folder,
                               stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     said = []
     for line in script.stdout:
         if line.startswith('DO '):
-            {'kill': cluster.kill, 'start': cluster.start}[line.split()[1]]()
+            actions[line.split()[1]]()
             script.stdin.write('\n')
             script.stdin.flush()
         else:

@@ -190,13 +190,27 @@ await tab.locator('.job.partial .state', { hasText: /^done, 2 left open$/ }).wai
   .catch(() => expect(false, 'a partial job does not say how many holes are left'));
 await tab.unroute('**/v1/jobs?*');
 
-// An output that a later job has written is not shown as that of this one.
-await tab.route('**/holes', (route) => route.fulfill({ status: 409, json: { error: {
-  code: 'ABORTED', message: 'its output was written again by jobs/b; look there', reason: 'OUTPUT_REPLACED', metadata: {} } } }));
-await tab.waitForFunction(() => document.querySelector('main').innerText.includes('written again by jobs/b'), null, { timeout: 20000 })
-  .catch(() => expect(false, 'who wrote the output again is not told'));
+// A review queue that is open goes with its report: another program writes the report again, then a later job does.
+const queue = tab.locator('.jobview .review');
+await rows.first().click();
+await tab.locator('.detail button', { hasText: 'decide on it' }).click();
+await queue.waitFor({ timeout: 20000 });
+await queue.locator('table.queue select').first().selectOption('open');
+await ask('run_again');
+await tab.locator('.jobview [role=status]', { hasText: 'The report was written again.' }).waitFor({ timeout: 20000 })
+  .catch(() => expect(false, 'an open review queue does not tell that its report was written again'));
+expect(await queue.count() === 1 && await queue.locator('button.download').isDisabled(),
+  'the queue of the new report has the decisions of the old one');
+await ask('submit_again');
+const link = tab.locator('.jobview .warning a', { hasText: /^Show jobs\// });
+await link.waitFor({ timeout: 20000 }).catch(() => expect(false, 'a review queue does not close when a later job has written its output'));
+expect(await queue.count() === 0, 'the review queue of a replaced report stays open');
 expect(await rows.count() === 0, 'holes of another job are shown');
-await tab.unroute('**/holes');
+expect((await tab.locator('main').innerText()).includes('written again by jobs/'), 'who wrote the output again is not told');
+await tab.screenshot({ path: join(folder, 'console_replaced.png'), fullPage: true });
+await link.click();
+await tab.waitForFunction((old) => !['', old].includes(document.querySelector('.jobview')?.dataset.job ?? ''), chosen, { timeout: 20000 });
+await tab.waitForSelector('table.holes tbody tr', { timeout: 20000 });
 
 // Who may watch alone has no buttons.
 const watcher = await page.open('dark', 'eve', chosen);

@@ -28,7 +28,7 @@ export interface Cells {
   hasTiles: boolean; isRemembered: boolean; cells: string; held: [number, number][]; failures: Failure[];
 }
 
-export interface Holes { holeCount: number; holes: Hole[]; planned: boolean; warnings?: string[]; fillsToDecide?: number }
+export interface Holes { holeCount: number; holes: Hole[]; planned: boolean; date?: string | null; warnings?: string[]; fillsToDecide?: number }
 
 export interface JobReview {
   scene: string | null; out?: string; date: string | null; changed_options?: Record<string, unknown>; look_at: LookAt[] | null; review: Review;
@@ -39,8 +39,10 @@ export interface LogLines { lines: string[] }
 export interface Me { name: string; maySteer: boolean; isAdmin: boolean; listen?: string }
 
 // `status` 0: the coordinator did not answer. `wait`: milliseconds until it wants to be asked again, if it says so.
+// `metadata`: facts that belong to the reason.
 export class ApiError extends Error {
-  constructor(readonly status: number, message: string, readonly reason: string, readonly wait = 0) { super(message); }
+  constructor(readonly status: number, message: string, readonly reason: string, readonly wait = 0,
+    readonly metadata: Record<string, string> = {}) { super(message); }
 }
 
 const TOKEN = 'tilemend-token';
@@ -69,8 +71,8 @@ async function call(method: string, path: string, headers: Record<string, string
     throw new ApiError(0, 'the coordinator does not answer', '');
   }
   if (answer.ok || answer.status === 304) return answer;
-  const { error } = await answer.json().catch(() => ({})) as { error?: { message: string; reason: string } };
-  throw new ApiError(answer.status, error?.message ?? answer.statusText, error?.reason ?? '', 1000 * (Number(answer.headers.get('Retry-After')) || 0));
+  const { error } = await answer.json().catch(() => ({})) as { error?: { message: string; reason: string; metadata?: Record<string, string> } };
+  throw new ApiError(answer.status, error?.message ?? answer.statusText, error?.reason ?? '', 1000 * (Number(answer.headers.get('Retry-After')) || 0), error?.metadata);
 }
 
 // The same object as before if nothing has changed.

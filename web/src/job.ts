@@ -1,16 +1,16 @@
 // One job: its map as it goes, its holes, its failures, its review queue, and its cells before and after.
 import type { WebGLRenderer } from 'three';
-import { ApiError, type Cells, get, type Holes, type Job, type JobReview, type LogLines, type Me } from './api';
-import { coordinatorAt, decisionsCommand } from './command';
+import { ApiError, type Cells, get, type Holes, type Job, type LogLines } from './api';
 import type { Hole } from './data';
-import { counted, el, number } from './dom';
+import { el } from './dom';
 import { Failures } from './failures';
 import { type Grid, legendOf, makeGrid } from './grid';
 import { type HoleRows, holesTable, type HolesTable, squareMetres } from './holes';
 import { JobMap, STATE_NAMES } from './job_map';
+import { errorWithLink, JobReviewBox } from './job_review';
 import { isOver } from './jobs';
 import { Card, makeRenderer, MARK_NAME } from './pictures';
-import { type PictureLink, type ReviewQueue, reviewQueue } from './review';
+import type { PictureLink } from './review';
 import { readCell } from './tile';
 import { warningList } from './warnings';
 
@@ -42,11 +42,12 @@ export class JobView {
   private readonly warnings = el('div', {});
   private readonly holesNote = el('p', { class: 'quiet' });
   private readonly holesBox = el('div', {});
-  private readonly reviewBox = el('div', {});
+  private readonly review: JobReviewBox;
   private grid: Grid | null = null;
   private card: Card | null = null;
   private mapNote = '';
   private holesError = '';
+  private gone: ApiError | null = null; // why there are no holes any more
   private holesNext = 0;   // when to ask for them again
   private shape = '';
   private map: JobMap | null = null;
@@ -55,13 +56,12 @@ export class JobView {
   private toldWarnings = '[]';
   private lines: LogLines = { lines: [] };
   private table: HolesTable | null = null;
-  private queue: ReviewQueue | null = null; // null: it is not shown
-  private offered = '';    // of the review
   private shown: [[number, number], Hole | null] | null = null; // what the detail is of
 
   constructor(private readonly name: string) {
+    this.review = new JobReviewBox(name, (hole) => this.pictureOf(hole));
     this.element.append(el('h2', {}, `Map of ${name}`), this.warnings, el('div', { class: 'mapanddetail' }, this.mapBox, this.detail),
-      this.failures.element, this.reviewBox, this.holesBox);
+      this.failures.element, this.review.element, this.holesBox);
   }
 
   async poll(job: Job): Promise<void> {
@@ -72,17 +72,21 @@ export class JobView {
     const lines = await get<LogLines>(`/v1/${this.name}/log`);
     this.drawWarnings([...new Set([...job.warnings, ...holes?.warnings ?? []])]);
     const told = this.mapNote + this.holesError;
-    if (cells === this.map?.cells && holes === this.holes && lines === this.lines && told === this.told) return;
+    const isSame = cells === this.map?.cells && holes === this.holes && lines === this.lines && told === this.told;
     this.told = told;
     this.holes = holes;
     this.lines = lines;
+    if (!isSame) this.drawAll(job, cells);
+    await this.review.update(holes, this.gone);
+  }
+
+  private drawAll(job: Job, cells: Cells): void {
     const hadTiles = this.map?.cells.hasTiles ?? false;
-    this.map = new JobMap(cells, holes);
+    this.map = new JobMap(cells, this.holes);
     this.draw(this.map);
     if (cells.hasTiles && !hadTiles && this.shown) this.showDetail(...this.shown);
-    this.failures.update(cells, lines.lines);
+    this.failures.update(cells, this.lines.lines);
     this.drawHoles(job, this.map);
-    this.offerReview(holes);
   }
 
   // Those of the job, then those of its report. A list that was opened stays open while nothing changes.
@@ -126,6 +130,7 @@ export class JobView {
     const now = Date.now();
     if (now < this.holesNext) return this.holes;
     this.holesError = '';
+    this.gone = null;
     try {
       return await get<Holes>(`/v1/${this.name}/holes`);
     } catch (error) {
@@ -138,7 +143,9 @@ export class JobView {
       if (isOver(job)) this.holesNext = now + AGAIN;
       // 404: none yet, or its folder is gone. 409: a later job has written there.
       if (error.status !== 404) this.holesError = `The list of holes cannot be shown: ${error.message}`;
-      return error.status === 404 || error.status === 409 ? null : this.holes;
+      if (error.status !== 404 && error.status !== 409) return this.holes;
+      this.gone = error;
+      return null;
     }
   }
 
@@ -180,8 +187,8 @@ export class JobView {
       const button = el('button', { type: 'button', class: 'topicture', click: () => this.showPicture(cell, hole, button) }, 'show before and after');
       parts.push(button);
     }
-    if (hole?.filled && !this.holes?.planned && (this.queue?.canDecide(hole) ?? true) || hole?.decision) {
-      parts.push(el('button', { type: 'button', class: 'toreview', click: () => void this.showReview(hole.decision ? null : hole) }, hole.decision ? 'see the decisions' : 'decide on it in the review queue'));
+    if (hole?.filled && !this.holes?.planned && this.review.canDecide(hole) || hole?.decision) {
+      parts.push(el('button', { type: 'button', class: 'toreview', click: () => void this.review.show(hole.decision ? null : hole) }, hole.decision ? 'see the decisions' : 'decide on it in the review queue'));
     }
     this.card?.dispose();
     this.card = null;
@@ -204,8 +211,9 @@ export class JobView {
     const { holes } = this;
     if (!holes) {
       this.table = null;
-      this.holesBox.replaceChildren(el('p', { class: 'quiet' }, this.holesError ? this.holesError :
-        isOver(job) ? 'There is no list of holes.' : 'The holes are listed here once all cells are surveyed and the plan is made.'));
+      const none = isOver(job) ? 'There is no list of holes.' : 'The holes are listed here once all cells are surveyed and the plan is made.';
+      const why = this.gone && this.holesError ? ['The list of holes cannot be shown: ', ...errorWithLink(this.gone)] : [this.holesError || none];
+      this.holesBox.replaceChildren(el('p', { class: 'quiet' }, ...why));
       return;
     }
     this.holesNote.textContent = this.holesError ? this.holesError : holes.planned
@@ -215,19 +223,6 @@ export class JobView {
     this.holesBox.replaceChildren(el('h2', {}, 'Holes'), this.holesNote, this.table.element);
   }
 
-  // A line that opens the queue, which may be large.
-  private offerReview(holes: Holes | null): void {
-    if (this.queue) return;
-    const known = holes && !holes.planned ? holes.holes : [], toDecide = holes?.fillsToDecide ?? 0;
-    const decided = known.filter((hole) => hole.decision).length;
-    const told = [toDecide > 0 ? `${counted(toDecide, 'fill')} to decide on` : '', decided > 0 ? `${counted(decided, 'hole')} decided on` : ''];
-    const text = told.filter(Boolean).join(', ');
-    if (text === this.offered) return;
-    this.offered = text;
-    this.reviewBox.replaceChildren(...(text ? [el('h2', {}, 'Review'), el('p', { class: 'offer' }, `${text} `,
-      el('button', { type: 'button', click: () => void this.showReview(null) }, 'show the review queue'))] : []));
-  }
-
   private pictureOf(id: number): PictureLink | null {
     const hole = this.holes?.holes.find((h) => h.id === id);
     if (!hole || !this.map?.cells.hasTiles) return null;
@@ -235,33 +230,5 @@ export class JobView {
       this.chooseHole(hole);
       this.detail.querySelector<HTMLButtonElement>('.topicture')?.click();
     } };
-  }
-
-  // The queue of the report, with the row of the hole in focus.
-  private async showReview(hole: Hole | null): Promise<void> {
-    try {
-      this.queue ??= await this.readReview();
-    } catch (error) {
-      if (error instanceof ApiError && error.status === 503) {
-        this.reviewBox.replaceChildren(el('p', { class: 'quiet' }, 'The review queue is being read.'));
-        setTimeout(() => { if (this.element.isConnected) void this.showReview(hole); }, Math.max(500, error.wait));
-        return;
-      }
-      this.reviewBox.replaceChildren(el('p', { class: 'warning' }, `The review queue cannot be shown: ${(error as Error).message}`));
-      return;
-    }
-    if (hole) this.queue.decide(hole);
-    else this.reviewBox.scrollIntoView({ block: 'start' });
-  }
-
-  private async readReview(): Promise<ReviewQueue> {
-    const { review, ...report } = await get<JobReview>(`/v1/${this.name}/review`);
-    const { listen } = await get<Me>('/v1/me'), at = coordinatorAt(listen ?? '', location.hostname);
-    const queue = reviewQueue(report, review, this.holes?.holes ?? [], decisionsCommand(report, 'submit', at),
-      { addHint: 'To add any other fill, choose it in the table of holes, then \u201cdecide on it in the review queue\u201d beside the map.',
-        commandHint: 'FILE is the path of the downloaded file in a folder that coordinator and workers may read (--root).',
-        pictureOf: (id) => this.pictureOf(id) });
-    this.reviewBox.replaceChildren(el('h2', {}, 'Review'), queue.element);
-    return queue;
   }
 }

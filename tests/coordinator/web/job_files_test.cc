@@ -167,6 +167,7 @@ TEST_F(JobFilesTest, GivesTheHolesAndTheReviewOfTheReport) {
   const auto json = nlohmann::ordered_json::parse(**holes);
   EXPECT_EQ(json["holeCount"], 1);
   EXPECT_EQ(json["planned"], false);
+  EXPECT_EQ(json["date"], "today");
   EXPECT_EQ(json["fillsToDecide"], 1);
   EXPECT_EQ(json["warnings"], nlohmann::ordered_json({"look here"}));
   EXPECT_EQ(json["holes"][0]["reason"], "<b>");
