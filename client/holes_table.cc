@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_join.h"
 #include "client/hole_columns.h"
 #include "client/output.h"
 #include "client/repeated_reasons.h"
@@ -26,6 +28,8 @@ constexpr char kLegend[] =
     "closed: inside one cell. I, II: over a grid line, counted in every cell; II reaches the rim of the area.\n"
     "In its cell a hole of type A leaves no surface, B one, C crosses it from side to side, D cuts off a corner or\n"
     "peninsula.\n";
+
+constexpr std::ptrdiff_t kCrossingsColumn = 6;  // of the fills to decide on
 
 struct Tally {
   int64_t holes = 0;
@@ -81,6 +85,31 @@ std::set<Json> HoleIdsOf(const Json& row) {
 
 // Of a volume, as AreaText; "" if it is not known.
 std::string DoubtText(const Json& volume) { return volume.is_null() ? "" : AreaText(volume); }
+
+using Reasons = std::map<Json, std::string>;  // by hole
+
+// Why holes should be looked at.
+Reasons ReasonsToLook(const Json& report) {
+  Reasons why;
+  for (const Json& item : Member(report, "look_at")) {
+    for (const Json& hole : HoleIdsOf(item)) why[hole] = Text(Member(item, "why"));
+  }
+  return why;
+}
+
+// Why the holes of a row of `review` were taken for what they were, then why to look at them: as on the page
+// (web/src/review.ts).
+std::string BecauseOf(const Json& item, const Reasons& why) {
+  std::vector<std::string> parts = {Text(Member(item, "reason"))};
+  for (const Json& hole : HoleIdsOf(item)) {
+    const auto found = why.find(hole);
+    if (found == why.end() || found->second.empty()) continue;
+    parts.push_back(found->second);
+    break;
+  }
+  if (parts.front().empty()) parts.erase(parts.begin());
+  return absl::StrJoin(parts, "; ");
+}
 
 // Those of per_hole that `is_wanted`, the largest first.
 std::vector<const Json*> HolesByArea(const Json& report, const std::function<bool(const Json&)>& is_wanted) {
@@ -151,26 +180,23 @@ std::string ReviewText(const Json& report) {
   const size_t count = FillsToDecideOn(report);
   if (count == 0) return "";
   const HoleColumns columns(report);
-  std::map<Json, const Json*> why;  // by hole
-  for (const Json& item : Member(report, "look_at")) {
-    for (const Json& hole : HoleIdsOf(item)) why[hole] = &Member(item, "why");
-  }
+  const Reasons why = ReasonsToLook(report);
+  std::vector<std::string> headings = {"hole",      "cell",      "centre, m", "area, m2",
+                                       "taken for", "doubt, m3", "crossings", "because"};
   Rows rows;
   for (const Json& item : Member(report, "review")) {
     if (rows.size() == kMostListedRows || !item.is_object()) break;
-    std::string reason;
-    for (const Json& hole : HoleIdsOf(item)) {
-      if (const auto found = why.find(hole); reason.empty() && found != why.end()) reason = Text(*found->second);
-    }
     rows.push_back({HolesOf(item), Text(Member(item, "cell")), CentreText(Member(item, "centre")), columns.Area(item),
                     Text(Member(item, "taken_for")), DoubtText(Member(item, "doubt_m3")),
-                    Text(Member(item, "crossings")), reason});
+                    Text(Member(item, "crossings")), BecauseOf(item, why)});
   }
   ShortenRepeated(rows);
-  return absl::StrCat(
-      "\n", Counted(count, "fill"), " to decide on\n",
-      Table({"hole", "cell", "centre, m", "area, m2", "taken for", "doubt, m3", "crossings", "why"}, rows),
-      MoreText(count, "see `review` in the report"));
+  if (std::ranges::all_of(rows, [](const auto& row) { return row[kCrossingsColumn].empty(); })) {
+    headings.erase(headings.begin() + kCrossingsColumn);
+    for (std::vector<std::string>& row : rows) row.erase(row.begin() + kCrossingsColumn);
+  }
+  return absl::StrCat("\n", Counted(count, "fill"), " to decide on\n", Table(headings, rows),
+                      MoreText(count, "see `review` in the report"));
 }
 
 std::string LookAtText(const Json& report) {

@@ -77,21 +77,36 @@ TEST(ReviewTextTest, CountsTheFillsOfTheReportAndLooksAtNoneTwice) {
   report["review"] = Json::parse(R"([
       {"hole": 7, "holes": [7, 8], "cell": [0, 1], "centre": [1.5, 2.5], "area_m2": 300, "taken_for": "lake",
        "doubt_m3": 9.25, "crossings": 3},
-      {"hole": 5, "holes": [5], "cell": [0, 2], "centre": [4, 5], "area_m2": 120, "taken_for": "ground", "doubt_m3": 2}])");
+      {"hole": 5, "holes": [5], "cell": [0, 2], "centre": [4, 5], "area_m2": 120, "taken_for": "ground", "doubt_m3": 2,
+       "reason": "its rim is too short"}])");
   EXPECT_EQ(ReviewText(report),
             "\n2 fills to decide on\n"
-            "hole          cell   centre, m    area, m2  taken for  doubt, m3  crossings  why\n"
+            "hole          cell   centre, m    area, m2  taken for  doubt, m3  crossings  because\n"
             "7 and 1 more  [0,1]  [1.50,2.50]     300.0  lake             9.2          3  it is large\n"
-            "5             [0,2]  [4.00,5.00]     120.0  ground           2.0\n");
+            "5             [0,2]  [4.00,5.00]     120.0  ground           2.0             its rim is too short\n");
   EXPECT_THAT(LookAtText(report), HasSubstr("\n1 place to look at\n"));
   EXPECT_THAT(LookAtText(report), HasSubstr("no rim"));
+}
+
+TEST(ReviewTextTest, SaysEachReasonOnceAsThePageDoes) {
+  Json report;
+  report["look_at"] = Json::parse(R"([{"hole": 1, "why": "it is large"}])");
+  report["review"] = Json::parse(R"([
+      {"hole": 1, "taken_for": "ground", "reason": "its rim is too short: 13 places tell its level, 20 are needed"},
+      {"hole": 2, "taken_for": "ground", "reason": "its rim is too short: 11 places tell its level, 20 are needed"}])");
+  EXPECT_EQ(ReviewText(report),
+            "\n2 fills to decide on\n"
+            "hole  cell  centre, m  area, m2  taken for  doubt, m3  because\n"
+            "   1                    unknown  ground                "
+            "[1] its rim is too short: 13 places tell its level, 20 are needed; it is large\n"
+            "   2                    unknown  ground                [1] 11 places tell its level\n");
 }
 
 TEST(ReviewTextTest, RowsOfOneClusterBelongTogetherWhicheverHoleNamesThem) {
   Json report;
   report["review"] = Json::parse(R"([{"hole": 7, "holes": [7, 8], "area_m2": 300, "doubt_m3": 9.25}])");
   report["look_at"] = Json::parse(R"([{"hole": 8, "holes": [7, 8], "area_m2": 300, "why": "it is large"}])");
-  EXPECT_THAT(ReviewText(report), HasSubstr("9.2             it is large\n"));
+  EXPECT_THAT(ReviewText(report), HasSubstr("9.2  it is large\n"));
   EXPECT_EQ(LookAtText(report), "");
 }
 
