@@ -18,6 +18,9 @@ constexpr char kChapter[] = "user guide, \"If an output is not accepted\" (docs/
 constexpr char kOtherCount[] =
     "`crossings` in the report may be lower: it does not count crossings with fills made later, or with original "
     "triangles that pass through the hole's boundary (`rim_crossed`)";
+constexpr char kOverlapPlaces[] =
+    "fills that overlap were measured where one ends: up or down from its edge to the other.\n"
+    "The report has another figure: it measures along the whole border, where both tiles have a fill.";
 
 std::string PlaceText(const AcceptancePlace& place) {
   if (!place.at) return Printable(place.note);
@@ -72,6 +75,7 @@ std::string AcceptanceText(const Acceptance& acceptance) {
     const int64_t more = finding.count - static_cast<int64_t>(shown);
     if (more > 0) absl::StrAppend(&text, "             and ", more, " more\n");
   }
+  if (acceptance.overlap_places > 0) absl::StrAppend(&text, "\n", kOverlapPlaces, "\n");
   if (HasCrossings(acceptance)) absl::StrAppend(&text, "\n", kOtherCount, "\n");
   if (!acceptance.IsAccepted()) absl::StrAppend(&text, "\nwhat to do: ", kChapter, "\n");
   return text;

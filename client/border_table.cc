@@ -25,6 +25,11 @@ constexpr char kLegend[] =
     "apart: of tiles that overlap, how far one surface is from the other at half of the places, and at nine in ten;\n"
     "of others, how far they end from each other. fill: the same of the fill, and at 99 % of the places.\n";
 
+// Where coordinator/waves/fill_gaps.h measures, and where `check` does: their figures differ.
+constexpr char kFillPlaces[] =
+    "these places lie along the whole border, where both tiles have a fill.\n"
+    "`tilemend check` measures only where one fill ends: up or down from its edge to the other fill.\n";
+
 // Of tiles that overlap, how far one surface is from the other, in the median; of those with a gap, its width. How far
 // they overlap is no fault.
 double ApartOf(const Json& row) {
@@ -63,8 +68,9 @@ std::string FillText(const Json& borders) {
     farthest = std::max(farthest, FillApartOf(row));
   }
   if (compared == 0) return "";
-  return absl::StrFormat("fills overlap at %s: at most %.3f m apart at 99 %% of the places of each\n",
-                         Counted(compared, "border"), farthest);
+  return absl::StrCat(absl::StrFormat("fills overlap at %s: at most %.3f m apart at 99 %% of the places of each\n",
+                                      Counted(compared, "border"), farthest),
+                      kFillPlaces);
 }
 
 std::string CountsText(const Json& borders) {

@@ -138,6 +138,13 @@ TEST(AcceptanceTextTest, OneIsNoPlural) {
   EXPECT_THAT(AcceptanceText(acceptance), HasSubstr("        1  hole left open, as reported (no fault)\n"));
 }
 
+TEST(AcceptanceTextTest, SaysWhereFillsThatOverlapWereMeasured) {
+  Acceptance acceptance;
+  EXPECT_THAT(AcceptanceText(acceptance), testing::Not(HasSubstr("were measured")));
+  acceptance.overlap_places = 3;
+  EXPECT_THAT(AcceptanceText(acceptance), HasSubstr("fills that overlap were measured where one ends"));
+}
+
 TEST(AcceptanceTextTest, SaysOfCrossingsWhyTheReportHasFewer) {
   Acceptance acceptance;
   const AcceptanceKindText& kind = kAcceptanceKinds[kCrossedSurface];

@@ -110,8 +110,12 @@ TEST(SummaryTextTest, TellsHowFarFillsAreApart) {
           {"cells": [[1, 0], [2, 0]], "kind": "overlap", "offset_m": 0.5,
            "fill_apart_m": {"median": 0.002, "ninth_decile": 0.012, "percentile_99": 0.25, "places": 9}}])");
   const std::string text = SummaryText(report);
-  EXPECT_THAT(text,
-              HasSubstr("fills overlap at 2 borders: at most 0.250 m apart at 99 % of the places of each\n1 pair"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("fills overlap at 2 borders: at most 0.250 m apart at 99 % of the places of each\n"
+                "these places lie along the whole border, where both tiles have a fill.\n"
+                "`tilemend check` measures only where one fill ends: up or down from its edge to the other fill.\n"
+                "1 pair"));
   EXPECT_THAT(text, HasSubstr("[1,0] [2,0]  overlap         0.500     0.000             0.002    0.012    0.250\n"));
 }
 
