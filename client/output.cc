@@ -16,11 +16,11 @@
 #include "absl/time/clock.h"
 #include "absl/time/time.h"
 #include "client/fitted_table.h"
-#include "client/stage_name.h"
 #include "common/records/filler.h"
 #include "common/records/surface.h"
 #include "common/rpc/status_proto.h"
 #include "common/util/error_info.h"
+#include "common/util/stage_words.h"
 #include "common/util/text.h"
 #include "common/util/utc.h"
 #include "coordinator/report/json_access.h"
@@ -187,7 +187,7 @@ std::string JobText(const v1::Job& job, OutputFormat format) {
   std::vector<std::vector<std::string>> rows = {{"state", StateText(job)}, {"scene", job.spec().scene()}};
   if (!job.spec().out().empty()) rows.push_back({"out", job.spec().out()});
   rows.push_back({"surface", SurfaceText(job.spec())});
-  if (!p.phase().empty()) rows.push_back({"phase", StageName(p.phase())});
+  if (!p.phase().empty()) rows.push_back({"phase", StageWordsOf(p.phase())});
   for (const auto& [name, part, whole] : {std::tuple("cells", p.cells_done(), p.cells()),
                                           {"holes", p.holes_filled(), p.holes()},
                                           {"tasks", p.tasks_done(), p.tasks()}}) {

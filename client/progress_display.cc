@@ -8,7 +8,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/time/clock.h"
 #include "client/output.h"
-#include "client/stage_name.h"
+#include "common/util/stage_words.h"
 #include "common/util/standard_streams.h"
 #include "common/util/text.h"
 #include "coordinator/jobs/cluster_events.h"
@@ -47,7 +47,7 @@ std::string ProgressText(const v1::Job& job, double share, absl::Time now) {
   const auto counted = [](int64_t done, int64_t all, const char* of) {
     return all == 0 ? "" : absl::StrCat(", ", Share(done, all), of);
   };
-  return absl::StrCat(p.phase().empty() ? "prepare" : StageName(p.phase()),
+  return absl::StrCat(p.phase().empty() ? "prepare" : StageWordsOf(p.phase()),
                       counted(p.tasks_done(), p.tasks(), " tasks"), counted(p.cells_done(), p.cells(), " cells"),
                       job.waiting().empty() ? TimesText(job, share, now) : ", waits: " + Printable(job.waiting()));
 }
@@ -99,7 +99,7 @@ void ProgressDisplay::Show(const v1::Job& job) {
 
 void ProgressDisplay::ShowLines(const v1::Job& job) {
   if (stage_.empty() && job.state() != v1::RUNNING) return;  // it was over before
-  const std::string stage = StageName(job.progress().phase());
+  const std::string stage = StageWordsOf(job.progress().phase());
   if (stage != stage_) std::fprintf(stderr, "%s%s\n", Beginning(job, "").c_str(), stage.c_str());
   stage_ = stage;
   if (job.waiting() != waiting_ && !job.waiting().empty()) {

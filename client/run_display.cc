@@ -14,8 +14,8 @@
 #include "client/left_table.h"
 #include "client/output.h"
 #include "client/progress_display.h"
-#include "client/stage_name.h"
 #include "client/water_table.h"
+#include "common/util/stage_words.h"
 #include "common/util/standard_streams.h"
 #include "common/util/text.h"
 #include "coordinator/jobs/cluster_events.h"
@@ -66,7 +66,7 @@ std::string WarningLines(const Json& report) {
 
 std::string StageText(const v1::Job& job) {
   const v1::Progress& p = job.progress();
-  std::string name = StageName(p.phase());
+  std::string name = StageWordsOf(p.phase());
   if (p.phase().starts_with("fill")) return name + Counts("holes", p.holes_filled(), p.holes());
   if (p.phase().starts_with("assemble")) return name + Counts("cells", p.cells_done(), p.cells());
   return name;
@@ -91,7 +91,7 @@ void RunDisplay::EndStage() {
 void RunDisplay::Show(const v1::Job& job) {
   const v1::Progress& p = job.progress();
   if (p.phase().empty() || p.phase() == kResumePhase) return;
-  if (std::string stage = StageName(p.phase()); stage != stage_) {
+  if (std::string stage = StageWordsOf(p.phase()); stage != stage_) {
     EndStage();
     stage_ = std::move(stage);
     begin_ = absl::Now();

@@ -22,6 +22,7 @@
 #include "common/options/job_options.h"
 #include "common/options/option.h"
 #include "common/util/error_info.h"
+#include "common/util/stage_words.h"
 #include "common/util/status_macros.h"
 #include "common/util/utc.h"
 #include "common/util/version.h"
@@ -55,6 +56,12 @@ std::vector<std::map<std::string, std::string>> OptionRows() {
                     {"unit", option.unit},
                     {"help", option.help}});
   }
+  return rows;
+}
+
+std::vector<std::pair<std::string, std::string>> StageRows() {
+  std::vector<std::pair<std::string, std::string>> rows;
+  for (const auto& [beginning, words] : AllStageWords()) rows.emplace_back(beginning, words);
   return rows;
 }
 
@@ -153,6 +160,7 @@ PYBIND11_MODULE(_tilemend, module) {
   module.attr("RELEASE") = Version();
   WatchInterpreterExit();
   module.def("options", &OptionRows);
+  module.def("stages", &StageRows);
   module.def("fill", &Fill, py::arg("vertices"), py::arg("faces"), py::arg("options"), py::arg("progress"));
 }
 

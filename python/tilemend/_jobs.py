@@ -5,7 +5,10 @@ from dataclasses import dataclass, field
 from datetime import datetime, timezone
 from typing import Any, Literal, Optional, Tuple
 
+from ._tilemend import stages
 from .v1 import jobs_pb2
+
+_STAGES = stages()  # those of the programs
 
 JobState = Literal['RUNNING', 'DONE', 'PARTIAL', 'FAILED', 'CANCELLED']
 OVER = ('DONE', 'PARTIAL', 'FAILED', 'CANCELLED')
@@ -16,7 +19,9 @@ class Progress:
     """How far a job is. Counts are 0 while not known.
 
     Attributes:
-        stage: what the job does now: "survey", "fill", ...
+        stage: what the job does now, in the words of `tilemend run` and the coordinator's page: "look at the tiles".
+            "" until it begins.
+        phase: the same as the API has it, for programs: "survey", "sample layer 2 of 3", ...
         cells, cells_done: cells of the grid.
         holes, holes_filled: holes.
         triangles: new ones, of the holes that are filled.
@@ -24,6 +29,7 @@ class Progress:
     """
 
     stage: str
+    phase: str
     cells: int
     cells_done: int
     holes: int
@@ -103,7 +109,7 @@ class Worker:
 def job_of(job: Any, reason: str) -> Job:
     """Of a v1.Job; `reason` is that of its error."""
     p = job.progress
-    progress = Progress(p.phase, p.cells, p.cells_done, p.holes, p.holes_filled, p.triangles, p.tasks, p.tasks_done)
+    progress = Progress(_stage(p.phase), p.phase, p.cells, p.cells_done, p.holes, p.holes_filled, p.triangles, p.tasks, p.tasks_done)
     return Job(job.name, _word(jobs_pb2.JobState, job.state), job.spec.scene, job.spec.out, progress,
                job.error.message or job.message, reason, job.report, job.waiting, job.priority, job.paused,
                tuple(job.warnings), _time(job, 'create_time'), _time(job, 'end_time'), job.cursor)
@@ -112,6 +118,11 @@ def job_of(job: Any, reason: str) -> Job:
 def worker_of(worker: Any) -> Worker:
     """Of a v1.WorkerInfo."""
     return Worker(worker.id, _word(jobs_pb2.WorkerState, worker.state), worker.threads, worker.tasks, worker.message)
+
+
+def _stage(phase: str) -> str:
+    """The words of a phase. One that is not known stays as it is."""
+    return next((words for beginning, words in _STAGES if phase.startswith(beginning)), phase)
 
 
 def _word(kind: Any, value: int) -> str:

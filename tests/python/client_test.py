@@ -94,6 +94,7 @@ class ClientTest(unittest.TestCase):
             seen = list(client.watch(job))
             self.assertEqual((seen[-1].state, seen[-1].is_over, seen[-1].report), ('DONE', True, f'{out}/report.json'))
             self.assertEqual(seen[-1].progress.cells, 6)
+            self.assertEqual((seen[-1].progress.stage, seen[-1].progress.phase), ('verify the tiles', 'verify'))
             self.assertLess(seen[0].created, seen[-1].ended)
             told = []
             self.assertEqual(client.wait(job.name.split('/')[1], timeout=60, on_progress=told.append), told[-1])

@@ -1,4 +1,4 @@
-// What a job does, in the words of `tilemend run` (client/stage_name.cc).
+// What a job does, in the words of common/util/stage_words.cc: a test compares the two lists.
 
 const STAGES: [string, string][] = [ // by the beginning of a phase, or of a task's stage
   ['measure', 'measure levels'], ['survey', 'look at the tiles'], ['ground', 'tell ground from objects'],
