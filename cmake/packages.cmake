@@ -6,6 +6,7 @@ install(DIRECTORY deploy/prometheus deploy/grafana deploy/kubernetes deploy/slur
   USE_SOURCE_PERMISSIONS PATTERN "*.py" EXCLUDE PATTERN "tls" EXCLUDE)
 install(DIRECTORY docs examples DESTINATION share/doc/tilemend USE_SOURCE_PERMISSIONS PATTERN "__pycache__" EXCLUDE)
 install(PROGRAMS scripts/make_certificates.sh scripts/render.py DESTINATION share/doc/tilemend/scripts)
+install(DIRECTORY proto DESTINATION share/doc/tilemend FILES_MATCHING PATTERN "*.proto")  # for programs that call the API
 install(FILES scripts/packages.txt DESTINATION share/doc/tilemend/scripts)
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE NOTICE SECURITY.md THIRD_PARTY.md DESTINATION share/doc/tilemend)
 

@@ -10,10 +10,10 @@ import sys
 FILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'docs', 'reference.md')
 HEAD = '''# Reference of all flags
 
-`scripts/reference.py` writes this page; a test holds it to the programs. Groups: *everyday* and *advanced* flags are
-shown by `--help`, those of *papers* (published methods, for comparison) by `--help-all`. Options of jobs have the same
-names, ranges and defaults in the API, with `_` for `-` (`proto/tilemend/v1/job_spec.proto`). Flags are also read from
-the environment and a file where the [manual pages](operations.md) say so.
+`scripts/reference.py` of the source tree writes this page; a test holds it to the programs. Groups: *everyday* and
+*advanced* flags are shown by `--help`, those of *papers* (published methods, for comparison) by `--help-all`. Options of
+jobs have the same names, ranges and defaults in the API, with `_` for `-` (`proto/tilemend/v1/job_spec.proto`). Flags
+are also read from the environment and a file where the [manual pages](operations.md) say so.
 '''
 
 
