@@ -107,7 +107,7 @@ Json PageData(const Json& report, const Scene* scene, const PagePictures& pictur
 std::string HolesCsv(const Json& report) {
   std::string text =
       "id,column,row,x,y,kind,type,single,area_m2,perimeter_m,outcome,method,level_m,sigma_m,taken_for,doubt_m3,"
-      "decision,reason\r\n";
+      "crossings,decision,reason\r\n";
   for (const Json& hole : HoleRowsOf(report)) {
     const Json &cell = Member(hole, "cell"), &centre = Member(hole, "centre"), &water = Member(hole, "water");
     const auto entry = [](const Json& list, size_t k) {
@@ -122,7 +122,8 @@ std::string HolesCsv(const Json& report) {
           Text(Member(hole, "kind")), Text(Member(hole, "type")), Text(Member(hole, "single")),
           Text(Member(hole, "area_m2")), Text(Member(hole, "perimeter_m")), Text(Member(hole, "outcome")),
           Text(Member(hole, "method")), level_text, Text(Member(water, "sigma_m")), Text(Member(water, "taken_for")),
-          Text(Member(hole, "doubt_m3")), Text(Member(hole, "decision")), HoleReasonOf(hole)}) {
+          Text(Member(hole, "doubt_m3")), Text(Member(hole, "crossings")), Text(Member(hole, "decision")),
+          HoleReasonOf(hole)}) {
       absl::StrAppend(&line, line.empty() ? "" : ",", CsvField(field));
     }
     absl::StrAppend(&text, line, "\r\n");

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr char kReport[] = R"({"cells": 3, "scene": "/data/<b>x</b>", "options": {"textures": "off"}, "per_hole": [
   {"id": 0, "cell": [0, 0], "kind": "I", "type": "B", "centre": [1, 2], "area_m2": 5.5, "perimeter_m": 9,
-   "outcome": "filled", "method": "water", "level_m": [3.5, 3.25], "water": {"sigma_m": 0.02, "reason": "level"}},
+   "outcome": "filled", "method": "water", "level_m": [3.5, 3.25], "crossings": 4, "water": {"sigma_m": 0.02, "reason": "level"}},
   {"id": 1, "cell": [1, 0], "kind": "closed", "single": "crack", "centre": [11, 2], "area_m2": -70, "perimeter_m": 12,
    "outcome": "left", "rim_height_m": 3.5, "reason": "=cmd, \"quoted\" </script><script>alert(1)</script>"}],
   "left": [{"cell": [1, 0], "hole": 1, "reason": "r"}, {"cell": [2, 0], "at": [21, 3, 7], "open_edges": 4, "reason": "loose"}],
@@ -84,8 +84,9 @@ TEST(ReportPageTest, NoTextEndsTheElementItIsIn) {
 TEST(HolesCsvTest, QuotesTextsAndDisarmsFormulas) {
   const std::string csv = HolesCsv(Report());
   EXPECT_THAT(csv, StartsWith("id,column,row,x,y,kind,"));
-  EXPECT_THAT(csv, HasSubstr("0,0,0,1,2,I,B,,5.5,9,filled,water,3.5 to 3.25,0.02,,,,level\r\n"));
-  EXPECT_THAT(csv, HasSubstr("-70,12,left,,,,,,,\"'=cmd, \"\"quoted\"\" "));
+  EXPECT_THAT(csv, HasSubstr(",doubt_m3,crossings,decision,reason\r\n"));
+  EXPECT_THAT(csv, HasSubstr("0,0,0,1,2,I,B,,5.5,9,filled,water,3.5 to 3.25,0.02,,,4,,level\r\n"));
+  EXPECT_THAT(csv, HasSubstr("-70,12,left,,,,,,,,\"'=cmd, \"\"quoted\"\" "));
   EXPECT_EQ(CsvField("-3.5"), "-3.5");
   EXPECT_EQ(CsvField("@x"), "'@x");
 }
