@@ -133,7 +133,13 @@ def play(folder, programs, spacing):
         others += [''] + shown(watch)
         ended = submit.to_end()
         watch.to_end()
-    return [('while it runs', middle), ('another terminal', others), ('the first one, at the end', ended)]
+    return [('while it runs', middle), ('another terminal', others), ('the first one, at the end', beginning(ended))]
+
+
+def beginning(lines):
+    """The end of a job without the tables that follow the first: they are longer than a picture."""
+    end = next((i for i, line in enumerate(lines) if line.startswith('closed:')), len(lines))
+    return lines[:end] + ['...'] * (end < len(lines))
 
 
 def submit_share(command):
