@@ -121,8 +121,8 @@ ReviewDecision DecisionOf(const OGRFeature& feature, const std::string& place) {
 }
 
 std::optional<double> LevelOf(const OGRFeature& feature, const std::string& place) {
-  return MetresOf(feature, kLevelProperty, -kMostHeight, kMostHeight, "a height in metres, such as 3.25 or \"3.25 m\"",
-                  place);
+  return MetresOf(feature, kLevelProperty, -kMostHeight, kMostHeight,
+                  "a height in metres from -100000 to 100000, such as 3.25 or \"3.25 m\"", place);
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 #include "coordinator/report/scene_member.h"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -10,6 +13,7 @@
 #include "absl/strings/str_format.h"
 #include "absl/strings/str_join.h"
 #include "common/util/object_store.h"
+#include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "coordinator/report/json_access.h"
 
@@ -55,6 +59,54 @@ std::string SceneText(const Json& scene) {
                                 PairText(Member(scene, "grid_corner"), ", "), ")"));
 }
 
+// Letters of a text, which counts the lines up to the last one that was read.
+class CountedLetters {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  CountedLetters(const char* at, int64_t* line) : at_(at), line_(line) {}
+  reference operator*() const { return *at_; }
+  CountedLetters& operator++() {
+    if (*at_++ == '\n') ++*line_;
+    return *this;
+  }
+  bool operator==(const CountedLetters& other) const { return at_ == other.at_; }
+
+ private:
+  const char* at_;
+  int64_t* line_;
+};
+
+// The member of the file; null if it is not there or is null, or if the file is no JSON. kInvalidArgument if it is
+// neither that nor an object. Lists of the file are not kept.
+absl::StatusOr<Json> ReadSceneMember(const std::string& bytes, const std::string& file) {
+  int64_t line = 1, line_of_member = 0;
+  bool is_member = false;
+  std::string wrong;  // what it is in place of an object
+  const auto look = [&](int depth, Json::parse_event_t event, const Json& value) {
+    const bool is_list = event == Json::parse_event_t::array_start;
+    if (depth != 1) return true;
+    if (event == Json::parse_event_t::key) {
+      is_member = value == kSceneMember;
+      if (is_member) line_of_member = line;
+    } else if (is_member && (is_list || (event == Json::parse_event_t::value && !value.is_null()))) {
+      wrong = is_list ? "a list" : value.is_string() ? "text" : value.is_boolean() ? "true or false" : "a number";
+    }
+    return !is_list;
+  };
+  const CountedLetters begin(bytes.data(), &line), end(bytes.data() + bytes.size(), &line);
+  Json json = Json::parse(begin, end, look, false);
+  if (json.is_discarded() || wrong.empty()) return Member(json, kSceneMember);
+  return absl::InvalidArgumentError(
+      absl::StrCat(file, ": line ", line_of_member, ": ", kSceneMember, " is ", wrong,
+                   "; expected an object with name, crs, grid_corner and cell_size, as holes.geojson has it; it may be "
+                   "left out"));
+}
+
 }  // namespace
 
 Json SceneMemberOf(const Scene& scene) {
@@ -66,12 +118,9 @@ Json SceneMemberOf(const Scene& scene) {
 }
 
 absl::StatusOr<std::string> CheckSceneMember(const std::string& bytes, const std::string& file, const Scene& scene) {
-  const auto without_lists = [](int depth, Json::parse_event_t event, const Json&) {
-    return depth != 1 || event != Json::parse_event_t::array_start;
-  };
-  const Json json = Json::parse(bytes, without_lists, false);
-  const Json &other = Member(json, kSceneMember), own = SceneMemberOf(scene);
+  TILEMEND_ASSIGN_OR_RETURN(const Json other, ReadSceneMember(bytes, file));
   if (!other.is_object()) return "";
+  const Json own = SceneMemberOf(scene);
   const std::vector<std::string> differences = DifferencesOf(other, own);
   if (!differences.empty()) {
     return absl::InvalidArgumentError(absl::StrCat(file, ": its decisions are on scene ", SceneText(other), ", not on ",

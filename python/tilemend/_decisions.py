@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import json
-import math
 import os
 from typing import Any, Dict, List, Literal, Mapping, Optional, Tuple, Union
 
@@ -14,6 +13,7 @@ from ._types import Path
 Decision = Union[Literal['accept', 'water', 'ground', 'open'], Tuple[Literal['water'], float], None]
 
 _KINDS = ('accept', 'water', 'ground', 'open')
+_MOST_HEIGHT = 1e5  # metres above or below 0, as --decisions takes it (common/gis/feature_properties.cc)
 _KEPT = ('hole', 'cluster')  # what --decisions reads beside the decision
 
 
@@ -75,6 +75,8 @@ def _read(path: str) -> Dict[str, Any]:
     features = collection.get('features') if isinstance(collection, dict) else None
     if not isinstance(features, list):
         raise InvalidInput(f'{path}: is no file of holes of tilemend: expected an object with a list "features"')
+    if not isinstance(collection.get('tilemend_scene'), (dict, type(None))):
+        raise InvalidInput(f'{path}: is no file of holes of tilemend: expected "tilemend_scene" to be an object')
     for number, feature in enumerate(features):
         if not _is_hole(feature):
             raise InvalidInput(f'{path}: is no file of holes of tilemend: features[{number}] is no feature with a '
@@ -92,14 +94,11 @@ def _properties(hole: int, decision: Decision) -> Optional[Dict[str, Any]]:
     if decision is None:
         return None
     kind, level = decision if isinstance(decision, tuple) and len(decision) == 2 else (decision, None)
-    is_level = level is None or kind == 'water' and is_number(level) and -math.inf < level < math.inf
+    is_level = level is None or kind == 'water' and is_number(level) and -_MOST_HEIGHT <= level <= _MOST_HEIGHT
     if kind not in _KINDS or not is_level:
         raise InvalidInput(f'decisions[{hole}] is {decision!r}: expected {", ".join(_KINDS)}, None, or ("water", LEVEL) '
-                           'with a finite number')
-    try:
-        return {'decision': kind, 'level_m': None if level is None else float(level)}
-    except OverflowError:
-        raise InvalidInput(f'decisions[{hole}]: the level is too large') from None
+                           f'with a height in metres from -{_MOST_HEIGHT:.0f} to {_MOST_HEIGHT:.0f}')
+    return {'decision': kind, 'level_m': None if level is None else float(level)}
 
 
 def _earlier(properties: Dict[str, Any]) -> Optional[Dict[str, Any]]:

@@ -166,9 +166,11 @@ class ClientTest(unittest.TestCase):
         self.assertEqual({row['hole']: row['decision'] for row in rows},
                          {**dict.fromkeys(first['holes'], 'water'), **dict.fromkeys(report.review[0]['holes'], 'accept')})
         for bad, text in (({99999: 'open'}, 'the report has no hole 99999'), ({0: 'lake'}, "decisions[0] is 'lake': expected"),
-                          ({0: ('water', float('nan'))}, 'with a finite number'), ({0: ('open', 3)}, 'with a finite number'),
-                          ({0: ('water', float('inf'))}, 'with a finite number'), ({0: ('water', True)}, 'with a finite'),
-                          ({0: ('water', 'high')}, 'with a finite number'), ({'0': 'open'}, "the report has no hole '0'")):
+                          ({0: ('water', float('nan'))}, 'with a height in metres'), ({0: ('open', 3)}, 'with a height'),
+                          ({0: ('water', float('inf'))}, 'with a height'), ({0: ('water', True)}, 'with a height'),
+                          ({0: ('water', 1e300)}, 'with a height in metres from -100000 to 100000'),
+                          ({0: ('water', 10 ** 400)}, 'with a height'), ({0: ('water', -100001)}, 'with a height'),
+                          ({0: ('water', 'high')}, 'with a height'), ({'0': 'open'}, "the report has no hole '0'")):
             with self.assertRaises(tilemend.InvalidInput) as caught:
                 report.write_decisions(path, bad, overwrite=True)
             self.assertIn(text, str(caught.exception))

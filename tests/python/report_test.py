@@ -99,6 +99,9 @@ class ReportTest(unittest.TestCase):
             self.write('holes.geojson', {'type': 'FeatureCollection', 'features': features})
             with self.subTest(features=features), self.assertRaisesRegex(tilemend.InvalidInput, 'holes.geojson: is no file'):
                 tilemend.read_report(self.folder).write_decisions(path, {3: 'accept'})
+        self.write('holes.geojson', {'type': 'FeatureCollection', 'tilemend_scene': 3, 'features': [hole]})
+        with self.assertRaisesRegex(tilemend.InvalidInput, 'expected "tilemend_scene" to be an object'):
+            tilemend.read_report(self.folder).write_decisions(path, {3: 'accept'})
         self.write('holes.geojson', {'type': 'FeatureCollection', 'features': [hole]})
         for key, damaged in (('per_hole', {}), ('per_hole', dict(row, id=[3])), ('review', {}),
                              ('review', {'holes': 'all'}), ('review', {'holes': None}),

@@ -79,8 +79,10 @@ expect(await load(tab).isDisabled(), 'nothing is decided, and it can be download
 await queued(tab).first().focus();
 await tab.keyboard.press('w');
 const level = queued(tab).first().locator('input');
-await level.fill('about 1');
-expect(await load(tab).isDisabled() && await level.getAttribute('aria-invalid') === 'true', 'a level that is no number is taken');
+for (const wrong of ['about 1', '1e300']) {
+  await level.fill(wrong);
+  expect(await load(tab).isDisabled() && await level.getAttribute('aria-invalid') === 'true', `the level ${wrong} is taken`);
+}
 await level.fill('1.25');
 await tab.keyboard.press('Enter');
 await tab.keyboard.press('ArrowDown');

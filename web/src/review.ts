@@ -69,11 +69,13 @@ class Marks {
   }
 }
 
-// A level as it was typed, with a decimal point or comma: a number, null for none, undefined for what is no number.
+const MOST_HEIGHT = 1e5; // metres above or below 0, as --decisions takes it (common/gis/feature_properties.cc)
+
+// A level as it was typed, with a decimal point or comma: a number, null for none, undefined for what is no height.
 function levelOf(text: string): number | null | undefined {
   const trimmed = text.trim().replace(/^([-+]?\d*),(\d+)$/, '$1.$2');
   if (trimmed === '') return null;
-  return Number.isFinite(Number(trimmed)) ? Number(trimmed) : undefined;
+  return Math.abs(Number(trimmed)) <= MOST_HEIGHT ? Number(trimmed) : undefined;
 }
 
 // A feature for each hole: those of one mark may touch, so together they are no valid MultiPolygon. Earlier decisions
@@ -308,7 +310,7 @@ export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 
     const all = review.count > review.items.length ? ` (of ${number(review.count)} in doubt the ${number(review.items.length)} first)` : '';
     const ofQueue = rows.length > 0 ? `${number(decided)} of ${counted(rows.length, 'fill')}${all} decided` : '';
     const ofOthers = othersDecided > 0 ? `${counted(othersDecided, 'other fill')} decided` : '';
-    status.textContent = bad ? `The level of hole ${bad.hole} is no number.` : [ofQueue, ofOthers, marks.keeps ? '' : 'this browser does not keep decisions'].filter(Boolean).join('; ');
+    status.textContent = bad ? `The level of hole ${bad.hole} is no height: give metres from -100000 to 100000.` : [ofQueue, ofOthers, marks.keeps ? '' : 'this browser does not keep decisions'].filter(Boolean).join('; ');
     if (undone.size > 0 && !bad) status.textContent += `${status.textContent ? '; ' : ''}${counted(undone.size, 'earlier decision')} undone`;
     download.disabled = (marks.size === 0 && undone.size === 0) || bad !== undefined;
     forget.disabled = marks.size === 0;

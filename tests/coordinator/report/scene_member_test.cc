@@ -74,10 +74,24 @@ TEST(SceneMemberTest, AFileOfAnotherGridIsRefused) {
 }
 
 TEST(SceneMemberTest, AFileWithoutTheMemberIsTaken) {
-  for (const char* text : {"{}", "[", "PK", "", R"({"tilemend_scene": 3})", R"({"tilemend_scene": null})"}) {
+  for (const char* text : {"{}", "[", "PK", "", R"({"tilemend_scene": null})",
+                           R"({"features": [{"tilemend_scene": 3}]})", R"({"tilemend_scene": 3)"}) {
     EXPECT_EQ(CheckSceneMember(text, "d.geojson", CityScene()).value(), "") << text;
   }
   EXPECT_FALSE(CheckSceneMember(R"({"tilemend_scene": {"name": "\u0007"}})", "d.geojson", CityScene()).ok());
+}
+
+TEST(SceneMemberTest, AMemberThatIsNoObjectIsRefusedWithItsLine) {
+  for (const auto& [value, what] :
+       {std::pair("3", "a number"), {"\"city\"", "text"}, {"[1]", "a list"}, {"true", "true"}}) {
+    const std::string text =
+        std::string("{\n\"type\": \"FeatureCollection\",\n\"tilemend_scene\": ") + value + ",\n\"a\": 1}";
+    const absl::Status refused = CheckSceneMember(text, "d.geojson", CityScene()).status();
+    EXPECT_TRUE(absl::IsInvalidArgument(refused)) << value;
+    EXPECT_THAT(
+        std::string(refused.message()),
+        AllOf(HasSubstr(std::string("d.geojson: line 3: tilemend_scene is ") + what), HasSubstr("expected an object")));
+  }
 }
 
 }  // namespace
