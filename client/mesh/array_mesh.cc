@@ -98,6 +98,9 @@ absl::StatusOr<std::vector<int64_t>> ArrayMesh::Clear(std::span<const ClearArea>
 absl::Status ArrayMesh::Append(const FilePatch& patch) {
   TILEMEND_RETURN_IF_ERROR(CheckRows("vertices, with new ones", mesh_.points.size() + patch.new_points.size()));
   TILEMEND_RETURN_IF_ERROR(CheckRows("faces, with new ones", mesh_.triangles.size() + patch.triangles.size()));
+  // Not twice as much: the caller of Python keeps these arrays.
+  mesh_.points.reserve(mesh_.points.size() + patch.new_points.size());
+  mesh_.triangles.reserve(mesh_.triangles.size() + patch.triangles.size());
   for (const Point3& p : patch.new_points) mesh_.points.push_back(RoundedTo(number_type_, p));
   mesh_.triangles.insert(mesh_.triangles.end(), patch.triangles.begin(), patch.triangles.end());
   return absl::OkStatus();

@@ -37,6 +37,8 @@ class ArrayMesh : public EditedMesh {
   absl::Status Append(const FilePatch& patch) override;
 
   const TriMesh& mesh() const { return mesh_; }
+  // The same without a copy; nothing else may be called after it.
+  TriMesh TakeMesh() && { return std::move(mesh_); }
   // The triangles behind this one are new.
   size_t originals() const { return originals_; }
 

@@ -3,9 +3,10 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <cstring>
+#include <array>
 #include <functional>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -104,22 +105,24 @@ absl::StatusOr<Result> FillArrays(ArrayMesh mesh, const v1::JobSpec& spec, const
   return Result{std::move(mesh), std::move(report)};
 }
 
-// The vertices of the mesh, in the number type of those that came in.
-template <typename Number>
-py::array VerticesOf(const TriMesh& mesh) {
-  py::array_t<Number> array({static_cast<py::ssize_t>(mesh.points.size()), py::ssize_t{3}});
-  auto rows = array.template mutable_unchecked<2>();
-  for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
-    for (py::ssize_t k = 0; k < 3; ++k) rows(i, k) = static_cast<Number>(mesh.points[static_cast<size_t>(i)][k]);
-  }
-  return array;
+// An array that owns the rows of three numbers, without a copy.
+template <typename Number, typename Row>
+py::array ArrayOf(std::vector<Row> rows) {
+  static_assert(sizeof(Row) == 3 * sizeof(Number));
+  auto held = std::make_unique<std::vector<Row>>(std::move(rows));
+  const std::array<py::ssize_t, 2> shape = {static_cast<py::ssize_t>(held->size()), 3};
+  auto* const numbers = reinterpret_cast<Number*>(held->data());
+  const py::capsule owner(held.get(), [](void* vector) { delete static_cast<std::vector<Row>*>(vector); });
+  held.release();
+  return py::array_t<Number>(shape, numbers, owner);
 }
 
-py::array FacesOf(const TriMesh& mesh) {
-  py::array_t<int32_t> array({static_cast<py::ssize_t>(mesh.triangles.size()), py::ssize_t{3}});
-  static_assert(sizeof(Triangle) == 3 * sizeof(int32_t));
-  if (!mesh.triangles.empty()) {
-    std::memcpy(array.mutable_data(), mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
+// Vertices in the number type of those that came in, if that is float32.
+py::array Float32Of(const std::vector<Point3>& points) {
+  py::array_t<float> array({static_cast<py::ssize_t>(points.size()), py::ssize_t{3}});
+  auto rows = array.mutable_unchecked<2>();
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+    for (py::ssize_t k = 0; k < 3; ++k) rows(i, k) = static_cast<float>(points[static_cast<size_t>(i)][k]);
   }
   return array;
 }
@@ -149,10 +152,12 @@ py::tuple Fill(const py::array& vertices, const py::array& faces, const std::map
   }
   RunInBackground([&] { result = FillArrays(*std::move(mesh), *spec, cancel, step); }, cancel, step, show);
   if (!result.ok()) Throw(result.status());
-  const TriMesh& filled = result->mesh.mesh();
+  const size_t originals = result->mesh.originals();
+  TriMesh filled = std::move(result->mesh).TakeMesh();
   const bool is_float32 = std::holds_alternative<std::span<const float>>(numbers);
-  return py::make_tuple(is_float32 ? VerticesOf<float>(filled) : VerticesOf<double>(filled), FacesOf(filled),
-                        result->mesh.originals(), result->report);
+  py::array new_vertices = is_float32 ? Float32Of(filled.points) : ArrayOf<double>(std::move(filled.points));
+  return py::make_tuple(std::move(new_vertices), ArrayOf<int32_t>(std::move(filled.triangles)), originals,
+                        result->report);
 }
 
 PYBIND11_MODULE(_tilemend, module) {

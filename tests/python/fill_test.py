@@ -108,6 +108,18 @@ class FillTest(unittest.TestCase):
         self.assertEqual(filled.filled.sum(), len(filled.new_faces))
         self.assertEqual((len(filled.holes), filled.holes[0]['outcome'], filled.left), (1, 'filled', []))
 
+    def test_the_arrays_of_the_result_are_those_of_the_mesh(self):
+        vertices, faces = sphere()
+        filled = tilemend.fill(vertices, faces)
+        copied = tilemend.fill(vertices.astype(np.float32), faces)
+        for array in (filled.vertices, filled.faces, copied.faces):
+            self.assertEqual(type(array.base).__name__, 'PyCapsule')
+            self.assertTrue(array.flags.c_contiguous and array.flags.writeable)
+        kept, before = filled.vertices, filled.vertices.copy()
+        del filled
+        np.testing.assert_array_equal(kept, before)
+        self.assertEqual(copied.vertices.dtype, np.float32)
+
     def test_any_layout_of_the_arrays_gives_the_same(self):
         vertices, faces = sphere()
         expected = tilemend.fill(vertices, faces)
