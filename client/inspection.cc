@@ -55,9 +55,9 @@ absl::StatusOr<Looked> Look(const Scene& scene, const MeasureWork& work) {
 
 // The record of the mesh that a tile has. A single mesh has no grid, and no raster of its ground.
 absl::StatusOr<SurveyRecord> RecordOf(const MeshFile& file, const Scene& scene, const SceneTile& tile) {
-  SurveyRecord record = SurveyOf(file);
   const Point2& cell = scene.grid.cell_size;
-  if (cell.minCoeff() <= 0) return record;
+  if (cell.minCoeff() <= 0) return SurveyOf(file);
+  SurveyRecord record = SurveyTile(file.mesh, file.number_type == NumberType::kFloat32, PieceAreas::kNo);
   record.lowest = LowestSurface(file.mesh, RasterSquareFor(cell.x(), cell.y()));
   TILEMEND_RETURN_IF_ERROR(CheckInsideCell(record, scene, tile));
   return record;

@@ -127,6 +127,7 @@ ReportedOutput ReadReported(const Json& report) {
       reported.overlap = std::max(reported.overlap, Number(margin));
     }
   }
+  reported.overlap = std::max(reported.overlap, Number(Member(Member(report, "borders"), "pieces_m")));
   reported.has_textures = Text(Member(Member(report, "options"), "textures")) != "off";
   return reported;
 }

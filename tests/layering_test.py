@@ -160,7 +160,7 @@ RULES = {
 
     'coordinator/plan/types': rule(['common/grid', 'common/records'], [], pure=True),
 
-    'coordinator/plan/rim': rule(['common/mesh', 'coordinator/plan/types'], ['eigen'], pure=True),
+    'coordinator/plan/rim': rule(['common/mesh', 'common/records', 'coordinator/plan/types'], ['eigen'], pure=True),
 
     'coordinator/plan/seam': rule(['common/mesh', 'coordinator/plan/types', 'coordinator/plan/rim'], ['absl'], pure=True),
 

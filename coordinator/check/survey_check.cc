@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -60,8 +62,13 @@ uint64_t EdgeKey(int32_t from, int32_t to) {
   return static_cast<uint64_t>(static_cast<uint32_t>(from)) << 32 | static_cast<uint32_t>(to);
 }
 
-// The edges between boundary vertices that exactly one triangle of the band has, directed as that has them, sorted.
-std::vector<uint64_t> SingleEdges(const SurveyRecord& record) {
+// Edges between boundary vertices, directed as triangles of the band have them, sorted.
+struct BandEdges {
+  std::vector<uint64_t> single;  // in exactly one triangle: the boundary has them all
+  std::vector<uint64_t> odd;     // of several triangles, as often as more have them so than the other way: it may
+};
+
+BandEdges EdgesOfBand(const SurveyRecord& record) {
   struct Use {
     uint64_t edge;  // the lower end first
     bool back;
@@ -76,15 +83,17 @@ std::vector<uint64_t> SingleEdges(const SurveyRecord& record) {
     }
   }
   std::sort(uses.begin(), uses.end());
-  std::vector<uint64_t> single;
-  for (size_t i = 0; i < uses.size();) {
-    size_t j = i;
-    while (j < uses.size() && uses[j].edge == uses[i].edge) ++j;
-    if (j - i == 1) single.push_back(uses[i].back ? uses[i].edge << 32 | uses[i].edge >> 32 : uses[i].edge);
-    i = j;
+  BandEdges edges;
+  for (size_t i = 0, j = 0; i < uses.size(); i = j) {
+    int64_t back = 0;
+    for (; j < uses.size() && uses[j].edge == uses[i].edge; ++j) back += uses[j].back ? 1 : -1;
+    const uint64_t edge = back > 0 ? uses[i].edge << 32 | uses[i].edge >> 32 : uses[i].edge;
+    std::vector<uint64_t>& kind = j - i == 1 ? edges.single : edges.odd;
+    kind.insert(kind.end(), static_cast<size_t>(std::abs(back)), edge);
   }
-  std::sort(single.begin(), single.end());
-  return single;
+  std::sort(edges.single.begin(), edges.single.end());
+  std::sort(edges.odd.begin(), edges.odd.end());
+  return edges;
 }
 
 absl::Status CheckEdges(const SurveyRecord& record) {
@@ -96,7 +105,12 @@ absl::Status CheckEdges(const SurveyRecord& record) {
     ++degree[e.to];
   }
   std::sort(edges.begin(), edges.end());
-  if (edges != SingleEdges(record)) return Wrong("boundary edges that are not those of the band");
+  const BandEdges of_band = EdgesOfBand(record);
+  std::vector<uint64_t> more;
+  std::ranges::set_difference(edges, of_band.single, std::back_inserter(more));
+  if (more.size() + of_band.single.size() != edges.size() || !std::ranges::includes(of_band.odd, more)) {
+    return Wrong("boundary edges that are not those of the band");
+  }
   if (std::count(degree.begin(), degree.end(), 0) > 0) return Wrong("a boundary vertex without an edge");
   const bool even = std::all_of(degree.begin(), degree.end(), [](int32_t d) { return d % 2 == 0; });
   return even || record.nonmanifold_edges > 0 ? absl::OkStatus() : Wrong("a boundary that ends");

@@ -19,6 +19,7 @@
 #include "coordinator/plan/overlap/joint_ground.h"
 #include "coordinator/plan/overlap/joint_tiles.h"
 #include "coordinator/plan/overlap/own_regions.h"
+#include "coordinator/plan/rim/piece_layout.h"
 #include "coordinator/plan/overlap/strip_edges.h"
 #include "coordinator/plan/overlap/wall_feet.h"
 #include "coordinator/plan/rim/area_proposal.h"
@@ -175,6 +176,12 @@ struct TileLayout {
   std::optional<JointTiles> joint;  // of tiles that share no vertices; without the area
 };
 
+// Of a scene of one tile that is stored in pieces.
+std::optional<PieceLayout> PiecesOf(const PlanInput& input) {
+  if (input.cells.size() != 1 || input.cells.begin()->second == nullptr) return std::nullopt;
+  return FindPieceLayout(*input.cells.begin()->second.Outline());
+}
+
 // Cost: O(n log n) in the boundary edges.
 TileLayout LayOutTiles(const PlanInput& input) {
   TileLayout layout;
@@ -183,6 +190,10 @@ TileLayout LayOutTiles(const PlanInput& input) {
   BorderFindings findings = AuditBorders(input);
   layout.lines = FindGridLines(input, findings, layout.lattice_step);
   layout.borders = std::move(findings.borders);
+  if (const std::optional<PieceLayout> pieces = PiecesOf(input)) {
+    findings.independent = true;
+    layout.lines.pieces = *pieces;
+  }
   if (!findings.independent) return layout;
   layout.joint = JoinTiles(input, layout.lines, layout.lattice_step);
   layout.joint->input.rim_ground = JointGround(*layout.joint, input.rim_ground);
@@ -284,6 +295,7 @@ Plan PlanGrid(const PlanInput& input, const PlanOptions& options, const TileLayo
   Plan plan;
   plan.lattice_step = layout.lattice_step;
   plan.borders = layout.borders;
+  if (layout.joint && input.cells.size() == 1) plan.remarks.piece_reach = layout.lines.pieces.reach;
   if (layout.joint) {
     PlanOverlapping(input, layout, options, plan);
   } else {
@@ -296,7 +308,7 @@ Plan PlanGrid(const PlanInput& input, const PlanOptions& options, const TileLayo
 // Holes, clusters, layers: all that does not depend on objects and water.
 Plan PlanHoles(const PlanInput& input, const PlanOptions& options, const TileLayout& layout) {
   Plan plan = input.has_grid ? PlanGrid(input, options, layout) : PlanMesh(input, options);
-  plan.has_polygon = !input.area.empty();
+  plan.remarks.has_polygon = !input.area.empty();
   StoreLayers(plan);
   DecideHoles(options.water.areas, plan, options.is_cancelled);
   LeaveFailedHoles(plan);

@@ -93,7 +93,7 @@ std::vector<std::string> PlanWarnings(const Plan& plan) {
         "export with a local origin or in double precision",
         plan.lattice_step));
   }
-  if (plan.has_polygon && plan.holes.empty() && plan.left.empty()) {
+  if (plan.remarks.has_polygon && plan.holes.empty() && plan.left.empty()) {
     warnings.emplace_back("no hole lies in the area, so nothing is filled");
   }
   return warnings;

@@ -164,6 +164,7 @@ Json Borders(const Plan& plan, const SceneOutcome& outcome) {
   Json result;
   for (const char* kind : {"exact", "near", "overlap", "gap", "open"}) result[kind] = counts[kind];
   result["inexact"] = rows;
+  if (plan.remarks.piece_reach > 0) result["pieces_m"] = Rounded(plan.remarks.piece_reach, 4);
   return result;
 }
 

@@ -13,6 +13,7 @@
 #include "absl/strings/str_cat.h"
 #include "common/util/files.h"
 #include "tests/support/output_checks.h"
+#include "tests/support/overlapping_scene.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
@@ -328,6 +329,25 @@ TEST_F(SceneRunTest, ASecondRunToOneOutputIsToldToWait) {
   for (const int code : {a.code, b.code}) EXPECT_TRUE(code == 0 || code == 5 || code == 4) << both;
   EXPECT_FALSE(a.code == 0 && b.code == 0) << both;
   EXPECT_EQ(TilesBelow(out).size(), 12U);
+}
+
+// A tile that is stored in pieces, as leaves of a tree in a map's frame are in that of a tileset.
+TEST_F(SceneRunTest, PondsOverPiecesOfOneTileAreClosed) {
+  const SurveyedScene made = TurnedPiecesScene(0.1, 0.0178);
+  folder_.Write("scene/tiles/Tile_+000_+000.ply", PlyBytes(made.tiles.begin()->second));
+  const Json tile = {{"col", 0}, {"row", 0}, {"path", "tiles/Tile_+000_+000.ply"}};
+  const Json scene = {{"crs", "EPSG:25832"}, {"origin", {0, 0, 0}}, {"cell_size", 50}, {"cols", 1},
+                      {"rows", 1},           {"overlap", 0},        {"tiles", {tile}}, {"area_known", false}};
+  folder_.Write("scene/scene.json", scene.dump());
+  const Ended ended = Run(folder_ / "scene", folder_ / "out", {"-o", "json"});
+  EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+  const Json report = Json::parse(*ReadFile(folder_ / "out/report.json"));
+  EXPECT_EQ(report["filled"]["closed"], 2) << report["filled"];
+  // The pieces are flat: where they overlap the fill touches them, which counts as crossing.
+  const Json check = Json::parse(Tilemend({"check", folder_ / "scene", folder_ / "out", "-o", "json"}).out);
+  for (const char* finding : {"open_edges", "nonmanifold_edges", "missing_faces"}) {
+    EXPECT_EQ(check["findings"][finding]["count"], 0) << finding;
+  }
 }
 
 TEST_F(SceneRunTest, InspectWritesNothing) {

@@ -2,6 +2,7 @@
 #ifndef TILEMEND_TESTS_SUPPORT_MESH_BUILDERS_H_
 #define TILEMEND_TESTS_SUPPORT_MESH_BUILDERS_H_
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -92,6 +93,20 @@ inline TriMesh Unwelded(const TriMesh& mesh) {
 // The mesh with `f` applied to its points.
 inline TriMesh Moved(TriMesh mesh, const std::function<Point3(const Point3&)>& f) {
   for (Point3& p : mesh.points) p = f(p);
+  return mesh;
+}
+
+// Two pieces of one flat surface, two squares of 1 m deep, from x = 0 to 4.5 and from 1.5 to 6. From 2 to 4 they have
+// the same triangles. Each outline has 14 edges, of which both have four.
+inline TriMesh PiecesOfOneSurface() {
+  const auto all = [](int32_t, int32_t) { return true; };
+  TriMesh mesh =
+      Moved(SquaresMesh(0, 5, 0, 2, all), [](const Point3& p) { return Point3(std::min(p.x(), 4.5), p.y(), 0); });
+  const TriMesh other =
+      Moved(SquaresMesh(1, 6, 0, 2, all), [](const Point3& p) { return Point3(std::max(p.x(), 1.5), p.y(), 0); });
+  const auto base = static_cast<int32_t>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
+  for (const Triangle& t : other.triangles) mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
   return mesh;
 }
 

@@ -2,6 +2,7 @@
 #ifndef TILEMEND_TESTS_SUPPORT_OVERLAPPING_SCENE_H_
 #define TILEMEND_TESTS_SUPPORT_OVERLAPPING_SCENE_H_
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -41,6 +42,25 @@ inline SurveyedScene OverlappingScene(const std::vector<std::string>& picture, i
   Grid grid;
   grid.cell_size = Point2(squares, squares);
   return SurveyScene(grid, std::move(tiles));
+}
+
+// A scene of one cell of 50 m: nine pieces of 10 m that overlap by twice `margin`, cut along axes that are turned by
+// `angle`. A pond of 8 m by 4 m lies over four of them, one of 2 m by 2 m in one. What lies around is not the area.
+inline SurveyedScene TurnedPiecesScene(double margin, double angle) {
+  std::vector<std::string> picture(30, std::string(30, '#'));
+  for (size_t row = 18; row < 22; ++row) picture[row].replace(6, 8, "........");
+  for (size_t row = 3; row < 5; ++row) picture[row].replace(24, 2, "..");
+  const SurveyedScene straight = OverlappingScene(picture, 30, margin, 3);
+  const Point2 x(std::cos(angle), std::sin(angle)), y(-std::sin(angle), std::cos(angle));
+  TriMesh tile = Moved(straight.tiles.begin()->second, [&](const Point3& p) {
+    const Point2 turned = Point2(25, 25) + (p.x() - 15) * x + (p.y() - 15) * y;
+    return RoundedTo(NumberType::kFloat32, Point3(turned.x(), turned.y(), p.z()));
+  });
+  Grid grid;
+  grid.cell_size = Point2(50, 50);
+  SurveyedScene scene = SurveyScene(grid, {{{0, 0}, std::move(tile)}});
+  scene.area_known = false;
+  return scene;
 }
 
 // A lake over four cells, one that leaves the area, one in a cell, and a river over two cells.

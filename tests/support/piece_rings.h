@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "common/records/survey_record.h"
-#include "coordinator/plan/overlap/piece_walk.h"
+#include "coordinator/plan/overlap/piece_ends.h"
 
 namespace tilemend {
 
 struct PieceRings {
   SurveyRecord record;
-  std::vector<BoundaryKind> kinds;
+  std::string kinds;  // of the edges
 
   // A piece of its own, counter-clockwise. For each edge from a corner to the next, `edges` has a letter. It is o on
   // the tile's outline, p on the piece's, c in a chain.
@@ -23,18 +23,17 @@ struct PieceRings {
       record.lo = record.lo.cwiseMin(record.vertices.back().position);
       record.hi = record.hi.cwiseMax(record.vertices.back().position);
       record.edges.push_back({base + k, base + (k + 1) % count, pieces});
-      kinds.push_back(edges[k] == 'o'   ? BoundaryKind::kOutline
-                      : edges[k] == 'p' ? BoundaryKind::kPiece
-                                        : BoundaryKind::kChain);
+      kinds.push_back(edges[k]);
     }
     ++pieces;
   }
 
   PieceBoundary Boundary() const {
-    PieceBoundary boundary{record, kinds, {}};
+    PieceBoundary boundary{record, {}, {}, {}};
     boundary.on_outline.resize(record.vertices.size(), false);
     for (size_t e = 0; e < kinds.size(); ++e) {
-      if (kinds[e] != BoundaryKind::kOutline) continue;
+      boundary.in_chain.push_back(kinds[e] == 'c');
+      if (kinds[e] != 'o') continue;
       boundary.on_outline[record.edges[e].from] = boundary.on_outline[record.edges[e].to] = true;
     }
     return boundary;
@@ -51,16 +50,6 @@ struct PieceRings {
 
   int32_t pieces = 0;
 };
-
-// A river's end in a tile of 20 m by 10 m. The west and the north are there, and the south-eastern piece up to its
-// outline at y = 5.2.
-inline PieceRings RiversEnd() {
-  PieceRings tile;
-  tile.Add({{0, 0}, {10.2, 0}, {10.2, 10}, {0, 10}}, "opoo");
-  tile.Add({{9.8, 0}, {20, 0}, {20, 5.2}, {9.8, 5.2}}, "oopp");
-  tile.Add({{9.8, 8}, {20, 8}, {20, 10}, {9.8, 10}}, "coop");
-  return tile;
-}
 
 }  // namespace tilemend
 

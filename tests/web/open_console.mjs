@@ -196,6 +196,14 @@ await rows.first().click();
 await tab.locator('.detail button', { hasText: 'decide on it' }).click();
 await queue.waitFor({ timeout: 20000 });
 await queue.locator('table.queue select').first().selectOption('open');
+// In a narrow window neither table is cut, and a reason has more than the width of a word.
+const size = tab.viewportSize();
+await tab.setViewportSize({ width: 800, height: 600 });
+const narrow = await tab.evaluate(() => [...document.querySelectorAll('table.holes, table.queue')].map((table) =>
+  [table.className, table.parentElement.scrollWidth - table.parentElement.clientWidth, Math.max(...[...table.rows].map((row) => row.offsetHeight))]));
+expect(narrow.length === 2 && narrow.every(([, cut, height]) => cut <= 1 && height < 130), `in a narrow window the tables are cut: ${JSON.stringify(narrow)}`);
+await page.checkAccess(tab, 'narrow');
+await tab.setViewportSize(size);
 await ask('run_again');
 await tab.locator('.jobview [role=status]', { hasText: 'The report was written again.' }).waitFor({ timeout: 20000 })
   .catch(() => expect(false, 'an open review queue does not tell that its report was written again'));

@@ -12,6 +12,7 @@
 #include "common/mesh/position_index.h"
 #include "common/mesh/triangle_shape.h"
 #include "worker/survey/orient_faces.h"
+#include "worker/survey/welded_edges.h"
 
 namespace tilemend {
 namespace {
@@ -82,87 +83,6 @@ std::vector<int32_t> TrianglesAtWelds(const TriMesh& mesh, const std::vector<int
     if ((weld[t[0]] & weld[t[1]] & weld[t[2]]) != kNone) at_weld.push_back(static_cast<int32_t>(i));
   }
   return at_weld;
-}
-
-struct HalfEdge {
-  int32_t from, to;
-  int32_t triangle;
-  int32_t lo() const { return std::min(from, to); }
-  int32_t hi() const { return std::max(from, to); }
-};
-
-// The edges between welded vertices, of all triangles that have three positions.
-std::vector<HalfEdge> HalfEdgesAtWelds(const TriMesh& mesh, const std::vector<int32_t>& weld,
-                                       const std::vector<int32_t>& at_weld, SurveyRecord& record) {
-  std::vector<HalfEdge> edges;
-  for (const int32_t i : at_weld) {
-    const Triangle& t = mesh.triangles[i];
-    const int32_t w[3] = {weld[t[0]], weld[t[1]], weld[t[2]]};
-    const int welded = (w[0] != kNone) + (w[1] != kNone) + (w[2] != kNone);
-    if (welded < 2) continue;
-    const bool flat = (w[0] != kNone && (w[0] == w[1] || w[0] == w[2])) || (w[1] != kNone && w[1] == w[2]);
-    if (flat) {
-      ++record.degenerate_triangles;
-      continue;
-    }
-    for (int k = 0; k < 3; ++k) {
-      const HalfEdge e{w[k], w[(k + 1) % 3], i};
-      if (e.from != kNone && e.to != kNone) edges.push_back(e);
-    }
-  }
-  return edges;
-}
-
-struct WeldedEdges {
-  std::vector<HalfEdge> single;                     // in exactly one triangle; in order of the triangles
-  std::vector<std::pair<int32_t, int32_t>> across;  // triangles that share one
-};
-
-bool AreAtTheSameCorners(const TriMesh& mesh, int32_t a, int32_t b) {
-  return std::ranges::all_of(mesh.triangles[a], [&](int32_t v) {
-    return std::ranges::any_of(mesh.triangles[b], [&](int32_t w) { return mesh.points[v] == mesh.points[w]; });
-  });
-}
-
-WeldedEdges FindWeldedEdges(const TriMesh& mesh, const std::vector<int32_t>& weld, const std::vector<int32_t>& at_weld,
-                            SurveyRecord& record) {
-  struct Entry {
-    uint64_t key;
-    int32_t order;
-  };
-  const std::vector<HalfEdge> edges = HalfEdgesAtWelds(mesh, weld, at_weld, record);
-  std::vector<Entry> entries;
-  entries.reserve(edges.size());
-  for (const HalfEdge& e : edges) {
-    entries.push_back(
-        {static_cast<uint64_t>(e.lo()) << 32 | static_cast<uint32_t>(e.hi()), static_cast<int32_t>(entries.size())});
-  }
-  std::sort(entries.begin(), entries.end(),
-            [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.order < b.order; });
-  WeldedEdges result;
-  std::vector<int32_t> single;
-  for (size_t i = 0; i < entries.size();) {
-    size_t j = i + 1;
-    const HalfEdge& front = edges[entries[i].order];
-    bool repeats = true;
-    for (; j < entries.size() && entries[j].key == entries[i].key; ++j) {
-      const int32_t other = edges[entries[j].order].triangle;
-      result.across.emplace_back(front.triangle, other);
-      repeats = repeats && AreAtTheSameCorners(mesh, front.triangle, other);
-    }
-    if (j - i == 1) {
-      single.push_back(entries[i].order);
-    } else {
-      record.repeated_edges += repeats;
-    }
-    record.disagreeing_edges += j - i == 2 && !repeats && edges[entries[i + 1].order].from == front.from;
-    if (j - i > 2) ++record.nonmanifold_edges;
-    i = j;
-  }
-  std::sort(single.begin(), single.end());
-  result.single.reserve(single.size());
-  for (const int32_t s : single) result.single.push_back(edges[s]);
-  return result;
 }
 
 // Numbers the ends of the edges in order of appearance and stores them as the record's boundary. Returns, for each
@@ -351,8 +271,8 @@ void StorePieces(const TriMesh& mesh, const Weld& weld, const std::vector<int32_
   for (const auto& [a, b] : edges.across) sets.Join(of_triangle(a), of_triangle(b));
   std::vector<int32_t> number(things, kNone);  // of the piece, by its lowest thing
   int32_t pieces = 0;
-  for (size_t e = 0; e < edges.single.size(); ++e) {
-    int32_t& piece = number[sets.LowestOf(of_triangle(edges.single[e].triangle))];
+  for (size_t e = 0; e < edges.boundary.size(); ++e) {
+    int32_t& piece = number[sets.LowestOf(of_triangle(edges.boundary[e].triangle))];
     if (piece == kNone) piece = pieces++;
     record.edges[e].piece = piece;
   }
@@ -363,7 +283,7 @@ void StorePieces(const TriMesh& mesh, const Weld& weld, const std::vector<int32_
 void CountRepeatedEdges(const TriMesh& mesh, SurveyRecord& record) {
   SurveyRecord again;
   const Weld weld = WeldMarked(mesh, std::vector<uint8_t>(mesh.points.size(), 1));
-  FindWeldedEdges(mesh, weld.weld, TrianglesAtWelds(mesh, weld.weld), again);
+  FindWeldedEdges(mesh, weld.weld, TrianglesAtWelds(mesh, weld.weld), DoubleEdges::kNone, again);
   record.repeated_edges = again.repeated_edges;
 }
 
@@ -399,14 +319,15 @@ SurveyRecord SurveyAsItIs(const TriMesh& mesh, bool float32, PieceAreas areas) {
   const Weld weld = WeldMarked(mesh, marked);
   record.doubled_vertices = weld.doubled;
   const std::vector<int32_t> at_weld = TrianglesAtWelds(mesh, weld.weld);
-  const WeldedEdges edges = FindWeldedEdges(mesh, weld.weld, at_weld, record);
-  const std::vector<int32_t> boundary = StoreBoundary(mesh, weld, edges.single, record);
+  const DoubleEdges doubles = areas == PieceAreas::kYes ? DoubleEdges::kNone : DoubleEdges::kClose;
+  const WeldedEdges edges = FindWeldedEdges(mesh, weld.weld, at_weld, doubles, record);
+  const std::vector<int32_t> boundary = StoreBoundary(mesh, weld, edges.boundary, record);
   StoreBand(mesh, boundary, at_weld, record);
   StoreVertexFigures(record);
   StorePieces(mesh, weld, at_weld, edges, areas, record);
   if (areas == PieceAreas::kYes) {
-    StoreEdgesAfter(mesh, weld, at_weld, edges.single, record);
-    if (edges.single.empty()) CountRepeatedEdges(mesh, record);
+    StoreEdgesAfter(mesh, weld, at_weld, edges.boundary, record);
+    if (edges.boundary.empty()) CountRepeatedEdges(mesh, record);
   }
   return record;
 }

@@ -10,7 +10,7 @@ namespace tilemend {
 // Whether SurveyRecord::piece_areas, edge_after and repeated_edges are wanted. The first takes one more look at every
 // triangle, the others the cost of a sort for a mesh without boundary. With kYes a mesh that has every triangle more
 // than once is surveyed as if it had each once (copied_triangles), and faces that disagree about the front as if they
-// were turned (turned_triangles).
+// were turned (turned_triangles). With kNo, as tiles are surveyed, edges may be double (welded_edges.h).
 enum class PieceAreas { kYes, kNo };
 
 // Finds the boundary edges of `mesh` on welded positions: edges that exactly one triangle with area has. Texture seams,

@@ -81,7 +81,7 @@ class Joiner {
     if (stored == nullptr && outside.empty()) return;
     const auto tile = stored == nullptr ? nullptr : stored.Outline();
     const SurveyRecord& record = tile != nullptr ? *tile : kNoTile;
-    const std::vector<bool> on_piece_outline = FindPieceOutlines(record, own_.piece_reach);
+    const std::vector<bool> on_piece_outline = FindPieceOutlines(record, own_.pieces);
     ClippedTile& clipped = clipped_[cell] = ClipTile(record, on_piece_outline, joint_.squares.at(cell), outside);
     std::vector<bool> chain = clipped.cut;
     for (size_t e = 0; e < chain.size(); ++e) chain[e] = chain[e] && !on_piece_outline[e];

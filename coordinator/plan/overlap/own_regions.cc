@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "coordinator/plan/overlap/link_parts.h"
 #include "coordinator/plan/overlap/lost_region.h"
 #include "coordinator/plan/overlap/outline_walk.h"
+#include "coordinator/plan/overlap/picture_edges.h"
 #include "coordinator/plan/rim/rim.h"
 
 namespace tilemend {
@@ -128,7 +130,7 @@ class OutlineVertices {
 class CellRegions {
  public:
   CellRegions(CellId cell, const GridLines& own, const JointTiles& joint, const std::vector<bool>& in_picture,
-              Plan& plan)
+              const std::vector<size_t>& holes, Plan& plan)
       : cell_(cell),
         record_(joint.own.contains(cell) ? *joint.own.at(cell) : kEmpty),
         square_(joint.squares.at(cell)),
@@ -136,24 +138,19 @@ class CellRegions {
         plan_(plan),
         new_(cell, outline_, plan) {
     for (const Side s : kSides) outline_.side[s] = own.At(cell, s);
-    if (!joint.own.contains(cell)) {
-      walk_ = WalkOutline(record_, chain_, outline_, own.piece_reach);
-      return;
+    std::vector<EdgeCrossing> crossings;
+    if (joint.own.contains(cell)) {
+      cut_ = joint.cut.at(cell);
+      chain_ = joint.chain.at(cell);
+      std::vector<int32_t>& of = plan_.vertex_of_boundary[cell];
+      of.resize(joint.records.at(cell).vertices.size(), -1);  // it may have none that bounds a hole
+      picture_.emplace(joint, cell, of);
+      for (const size_t h : holes) {
+        const std::vector<EdgeCrossing> of_hole = picture_->CrossingsOf(plan, plan.holes[h]);
+        crossings.insert(crossings.end(), of_hole.begin(), of_hole.end());
+      }
     }
-    cut_ = joint.cut.at(cell);
-    chain_ = joint.chain.at(cell);
-    walk_ = WalkOutline(record_, chain_, outline_, own.piece_reach);
-    const auto& through = joint.edges_through.at(cell);
-    std::vector<int32_t>& of = plan_.vertex_of_boundary[cell];
-    of.resize(record_.vertices.size() + through.size(), -1);  // it may have none that bounds a hole
-    for (size_t v = 0; v < record_.vertices.size(); ++v) own_vertex_.emplace(of[v], static_cast<int32_t>(v));
-    for (size_t k = 0; k < through.size(); ++k) {
-      std::vector<int32_t>& edges = through_[of[record_.vertices.size() + k]];
-      edges.insert(edges.end(), through[k].begin(), through[k].end());
-    }
-    for (size_t e = 0; e < record_.edges.size(); ++e) {
-      edge_.emplace(std::pair(record_.edges[e].from, record_.edges[e].to), static_cast<int32_t>(e));
-    }
+    walk_ = WalkOutline(record_, chain_, outline_, own.pieces.reach, crossings);
   }
 
   // Of the holes of this cell. Those that one chain bounds become one; what is none stays without segments.
@@ -204,18 +201,11 @@ class CellRegions {
   // The edges of the tile's chains that a segment of the plan is, or is a part of.
   std::vector<int32_t> EdgesOf(const RimSegment& s) const {
     std::vector<int32_t> edges;
-    const auto from = own_vertex_.find(s.from), to = own_vertex_.find(s.to);
-    if (from != own_vertex_.end() && to != own_vertex_.end()) {
-      const auto it = edge_.find({to->second, from->second});
-      if (it != edge_.end() && IsChain(it->second)) edges.push_back(it->second);
-    }
+    if (!picture_) return edges;
+    const std::optional<int32_t> whole = picture_->Whole(s);
+    if (whole && IsChain(*whole)) edges.push_back(*whole);
     if (s.seam) return edges;
-    for (const int32_t v : {s.from, s.to}) {
-      const auto it = through_.find(v);
-      if (it == through_.end()) continue;
-      std::copy_if(it->second.begin(), it->second.end(), std::back_inserter(edges),
-                   [&](int32_t e) { return IsChain(e); });
-    }
+    std::ranges::copy_if(picture_->AtEnds(s), std::back_inserter(edges), [&](int32_t e) { return IsChain(e); });
     return edges;
   }
 
@@ -223,10 +213,8 @@ class CellRegions {
   std::vector<RimSegment> WholeSegments(const PlannedHole& hole) const {
     std::vector<RimSegment> whole;
     for (const RimSegment& s : hole.segments) {
-      const auto from = own_vertex_.find(s.from), to = own_vertex_.find(s.to);
-      if (from == own_vertex_.end() || to == own_vertex_.end()) continue;
-      const auto it = edge_.find({to->second, from->second});
-      if (it != edge_.end() && !cut_[it->second]) whole.push_back(s);
+      const std::optional<int32_t> edge = picture_ ? picture_->Whole(s) : std::nullopt;
+      if (edge && !cut_[*edge]) whole.push_back(s);
     }
     return whole;
   }
@@ -237,7 +225,7 @@ class CellRegions {
     for (const RimSegment& s : hole.segments) {
       for (const int32_t v : {s.from, s.to}) {
         const std::vector<Side> sides = SidesOf(v);
-        if (sides.empty() || own_vertex_.contains(v)) continue;
+        if (sides.empty() || (picture_ && picture_->IsOwn(v))) continue;
         LineVertex& at = found[v];
         const bool on_rim = at.on_rim || (!s.seam && HaveCommon(SidesOf(s.from), SidesOf(s.to)));
         at = {PlaceOf(v, sides), v, sides, on_rim};
@@ -419,9 +407,7 @@ class CellRegions {
   OutlineVertices new_;
   std::vector<bool> cut_, chain_;  // as in JointTiles
   OutlineWalk walk_;
-  std::unordered_map<int32_t, int32_t> own_vertex_;            // plan vertex -> of the record
-  std::unordered_map<int32_t, std::vector<int32_t>> through_;  // other plan vertex -> edges of the record there
-  std::map<std::pair<int32_t, int32_t>, int32_t> edge_;        // of the record, by its ends
+  std::optional<PictureEdges> picture_;  // of a tile with surface or area
 };
 
 }  // namespace
@@ -433,7 +419,7 @@ void LayOwnRegions(const PlanInput& input, const GridLines& own, const JointTile
     if (plan.holes[h].failure.empty()) holes[plan.holes[h].cell].push_back(h);
     for (const RimSegment& s : plan.holes[h].segments) in_picture[s.from] = in_picture[s.to] = true;
   }
-  for (const auto& [cell, of_cell] : holes) CellRegions(cell, own, joint, in_picture, plan).Lay(of_cell);
+  for (const auto& [cell, of_cell] : holes) CellRegions(cell, own, joint, in_picture, of_cell, plan).Lay(of_cell);
   std::erase_if(plan.holes, [](const PlannedHole& hole) { return hole.segments.empty(); });
   std::erase_if(plan.vertex_of_boundary, [&](const auto& of) { return input.cells.at(of.first) == nullptr; });
   for (auto& [cell, vertices] : plan.vertex_of_boundary)

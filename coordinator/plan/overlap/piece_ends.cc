@@ -7,55 +7,117 @@
 #include <tuple>
 #include <utility>
 
+#include "common/mesh/vertex_lists.h"
+
 namespace tilemend {
 namespace {
 
-// Chains of two pieces end at most so many reaches from each other where the pieces and the tile end together, and run
-// as far under another piece before they end.
+// Chains of two pieces end at most so many reaches from each other where the pieces and the tile end together.
 constexpr double kNear = 8;
 constexpr double kFirst = 0.01;  // metres: ends so near are matched first, then by powers of two
+
+// Follows chains to where they begin and end.
+class ChainWalk {
+ public:
+  explicit ChainWalk(const PieceBoundary& boundary)
+      : boundary_(boundary),
+        leaving_(EdgesBy([](const BoundaryEdge& e) { return e.from; })),
+        arriving_(EdgesBy([](const BoundaryEdge& e) { return e.to; })) {}
+
+  struct End {
+    int32_t vertex = 0;
+    double way = 0;  // metres, seen from above
+  };
+
+  // From a place on an edge, along the edges or against them; none if no chain ends within `longest`, or one divides.
+  std::optional<End> From(int32_t edge, const Point2& place, bool backward, double longest) const {
+    if (!boundary_.in_chain[edge]) return std::nullopt;
+    End end{VertexAfter(edge, backward), 0};
+    end.way = (At(end.vertex) - place).norm();
+    while (end.way <= longest) {
+      const auto on = (backward ? arriving_ : leaving_).Of(end.vertex);
+      if (on.empty()) return end;
+      if (on.size() > 1) break;
+      const int32_t before = end.vertex;
+      end.vertex = VertexAfter(on[0], backward);
+      end.way += (At(end.vertex) - At(before)).norm();
+    }
+    return std::nullopt;
+  }
+
+ private:
+  template <typename EndOf>
+  VertexLists EdgesBy(const EndOf& end_of) const {
+    const SurveyRecord& record = boundary_.record;
+    return {record.vertices.size(), [&](const auto& use) {
+              for (int32_t e = 0; e < std::ssize(record.edges); ++e) {
+                if (boundary_.in_chain[e]) use(end_of(record.edges[e]), e);
+              }
+            }};
+  }
+
+  Point2 At(int32_t v) const { return boundary_.record.vertices[v].position.head<2>(); }
+
+  int32_t VertexAfter(int32_t e, bool backward) const {
+    return backward ? boundary_.record.edges[e].from : boundary_.record.edges[e].to;
+  }
+
+  const PieceBoundary& boundary_;
+  const VertexLists leaving_, arriving_;
+};
 
 class Matcher {
  public:
   Matcher(const PieceBoundary& boundary, const std::vector<PieceEnd>& ends, double reach)
-      : boundary_(boundary), ends_(ends), reach_(reach), matched_(ends.size(), false), outline_vertex_(ends.size()) {}
+      : boundary_(boundary), ends_(ends), reach_(reach), matched_(ends.size(), false) {}
 
   PieceMatches Run() {
-    WalkAlongPieces();
+    MatchAtCrossings();
     MatchNearest(kNear * reach_);
-    for (size_t i = 0; i < ends_.size(); ++i) {
-      if (!matched_[i] && outline_vertex_[i]) CountToOutline(i, *outline_vertex_[i]);
-    }
     MatchNearest(2 * (boundary_.record.hi - boundary_.record.lo).norm());
     for (size_t i = 0; i < ends_.size(); ++i) {
-      if (!matched_[i]) CountToOutline(i, ends_[i].vertex);
+      if (!matched_[i]) matches_.on_outline.push_back(i);
     }
     return std::move(matches_);
   }
 
  private:
-  // From where chains end, then back from where they begin.
-  void WalkAlongPieces() {
-    const PieceWalk pieces(boundary_, kNear * reach_);
-    std::map<std::pair<int32_t, bool>, std::vector<size_t>> at;
+  using EndAt = std::pair<int32_t, bool>;  // as PieceEnd
+
+  struct Passage {
+    EndAt begin, end;
+  };
+
+  void MatchAtCrossings() {
+    std::map<EndAt, std::pair<double, size_t>> nearest;  // the way to a passage, and its number
+    std::vector<Passage> passages;
+    const ChainWalk chains(boundary_);
+    for (const EdgeCrossing& crossing : boundary_.crossings) {
+      const auto begin = chains.From(crossing.leaving, crossing.place, true, reach_);
+      const auto end = chains.From(crossing.arriving, crossing.place, false, reach_);
+      if (!begin || !end) continue;
+      const Passage passage{{begin->vertex, true}, {end->vertex, false}};
+      KeepNearest(passage.begin, {begin->way, passages.size()}, nearest);
+      KeepNearest(passage.end, {end->way, passages.size()}, nearest);
+      passages.push_back(passage);
+    }
+    std::map<EndAt, std::vector<size_t>> at;
     for (size_t i = 0; i < ends_.size(); ++i) at[{ends_[i].vertex, ends_[i].begins}].push_back(i);
-    for (const bool backward : {false, true}) {
-      for (size_t i = 0; i < ends_.size(); ++i) {
-        if (matched_[i] || ends_[i].begins != backward || IsOnOutline(i)) continue;
-        const auto arrival = pieces.From(ends_[i].vertex, backward);
-        if (!arrival) continue;
-        if (arrival->on_outline) {
-          outline_vertex_[i] = arrival->vertex;
-          continue;
-        }
-        std::vector<size_t>& others = at[{arrival->vertex, !backward}];
-        std::erase_if(others, [&](size_t k) { return matched_[k]; });
-        if (!others.empty()) Match(backward ? i : others.front(), backward ? others.front() : i);
-      }
+    for (size_t k = 0; k < passages.size(); ++k) {
+      const auto& [begin, end] = passages[k];
+      if (nearest.at(begin).second != k || nearest.at(end).second != k) continue;
+      const std::vector<size_t>&begins = at[begin], &ends = at[end];
+      if (begins.size() == 1 && ends.size() == 1) Match(begins[0], ends[0]);
     }
   }
 
-  // Those left over, the nearest pairs first, unless the ways of both lead to the outline.
+  static void KeepNearest(EndAt end, std::pair<double, size_t> passage,
+                          std::map<EndAt, std::pair<double, size_t>>& nearest) {
+    const auto [it, fresh] = nearest.try_emplace(end, passage);
+    if (!fresh) it->second = std::min(it->second, passage);
+  }
+
+  // Those left over, the nearest pairs first.
   void MatchNearest(double farthest) {
     for (double reach = kFirst; reach / 2 < farthest; reach *= 2) MatchWithin(std::min(reach, farthest));
   }
@@ -66,11 +128,6 @@ class Matcher {
   void Match(size_t begin, size_t end) {
     matched_[begin] = matched_[end] = true;
     matches_.pairs.emplace_back(begin, end);
-  }
-
-  void CountToOutline(size_t i, int32_t vertex) {
-    matched_[i] = true;
-    matches_.on_outline.emplace_back(i, vertex);
   }
 
   // The pairs no farther apart than `reach`, if all nearer ones are matched: by squares of that size.
@@ -102,7 +159,7 @@ class Matcher {
     const double farthest = std::pow(kNear * reach_, 2);
     for (const size_t end : ends) {
       const double distance = (At(begin) - At(end)).squaredNorm();
-      if (distance > reach * reach || (outline_vertex_[begin] && outline_vertex_[end])) continue;
+      if (distance > reach * reach) continue;
       if (distance <= farthest || (!IsOnOutline(begin) && !IsOnOutline(end))) pairs.emplace_back(distance, begin, end);
     }
   }
@@ -111,7 +168,6 @@ class Matcher {
   const std::vector<PieceEnd>& ends_;
   const double reach_;
   std::vector<bool> matched_;
-  std::vector<std::optional<int32_t>> outline_vertex_;  // where the way from an end comes to the tile's outline
   PieceMatches matches_;
 };
 

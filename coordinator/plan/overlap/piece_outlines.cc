@@ -38,7 +38,12 @@ struct LevelEdge {
 
 class OutlineFinder {
  public:
-  OutlineFinder(const SurveyRecord& record, double reach) : record_(record), reach_(reach) {
+  OutlineFinder(const SurveyRecord& record, const PieceLayout& layout)
+      : record_(record), least_(layout.least), reach_(layout.reach) {
+    turn_ << layout.axis.x(), layout.axis.y(), 0, -layout.axis.y(), layout.axis.x(), 0, 0, 0, 1;
+    for (const BoundaryVertex& v : record.vertices) {
+      places_.push_back(turn_ * v.position);
+    }
     for (size_t e = 0; e < record.edges.size(); ++e) {
       const auto piece = static_cast<size_t>(record.edges[e].piece);
       if (piece >= box_.size()) box_.resize(piece + 1);
@@ -61,15 +66,15 @@ class OutlineFinder {
   }
 
  private:
-  const Point3& Begin(size_t e) const { return record_.vertices[record_.edges[e].from].position; }
-  const Point3& End(size_t e) const { return record_.vertices[record_.edges[e].to].position; }
+  const Point3& Begin(size_t e) const { return places_[record_.edges[e].from]; }
+  const Point3& End(size_t e) const { return places_[record_.edges[e].to]; }
 
   // Where surface ends and other surface has begun.
   std::set<double> PlanesAcross(int axis) const {
     const std::vector<OutlineStretch> begins = StretchesAcross(axis, false), ends = StretchesAcross(axis, true);
     std::set<double> planes;
     for (const OutlineStretch& begin : begins) {
-      auto end = std::upper_bound(ends.begin(), ends.end(), begin.place,
+      auto end = std::upper_bound(ends.begin(), ends.end(), begin.place + least_,
                                   [](double place, const OutlineStretch& other) { return place < other.place; });
       for (; end != ends.end() && end->place - begin.place <= reach_; ++end) {
         if (planes.contains(begin.place) && planes.contains(end->place)) continue;
@@ -120,7 +125,7 @@ class OutlineFinder {
     if (std::abs(place - (ends ? box.max()[axis] : box.min()[axis])) <= kMeetTolerance) return true;
     const Vector3d normal =
         record_.vertices[record_.edges[e].from].normal + record_.vertices[record_.edges[e].to].normal;
-    const double inward = normal.cross(End(e) - Begin(e))[axis];
+    const double inward = (turn_ * normal).cross(End(e) - Begin(e))[axis];
     return ends ? inward < 0 : inward > 0;
   }
 
@@ -156,14 +161,16 @@ class OutlineFinder {
   }
 
   const SurveyRecord& record_;
-  const double reach_;
+  const double least_, reach_;
+  Eigen::Matrix3d turn_;           // so that the planes lie across the axes
+  std::vector<Point3> places_;     // of the record's vertices, turned
   std::vector<AlignedBox3d> box_;  // by piece
 };
 
 }  // namespace
 
-std::vector<bool> FindPieceOutlines(const SurveyRecord& record, double reach) {
-  return OutlineFinder(record, reach).Run();
+std::vector<bool> FindPieceOutlines(const SurveyRecord& record, const PieceLayout& layout) {
+  return OutlineFinder(record, layout).Run();
 }
 
 }  // namespace tilemend

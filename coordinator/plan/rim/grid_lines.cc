@@ -89,7 +89,7 @@ void PlaceOnLines(const PlanInput& input, const std::map<Line, double>& found, d
 // Every side at its tile's own outline, or where the outlines of the others let expect it.
 void PlaceOnOutlines(const PlanInput& input, const BorderFindings& borders, double lattice_step, GridLines& lines) {
   const double usual = borders.usual_offset;
-  lines.piece_reach = 3 * std::abs(usual);
+  lines.pieces.reach = 3 * std::abs(usual);
   for (const auto& [cell, record] : input.cells) {
     for (const Side side : kSides) {
       const auto buffer = borders.buffers.find({cell, side});

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "coordinator/plan/rim/border_audit.h"
+#include "coordinator/plan/rim/piece_layout.h"
 #include "coordinator/plan/types/cell_side.h"
 #include "coordinator/plan/types/plan_types.h"
 
@@ -20,7 +21,7 @@ struct GridLines {
   // nearly all of the tiles' boundary lies on the lines to the bit. Then what lies just inside is surface, or a sliver
   // without surface, in its own right.
   double tolerance = kOnLine;
-  double piece_reach = 0;  // independent: pieces of one tile overlap, or part, by less than this
+  PieceLayout pieces;                                  // independent: of one tile
   std::map<CellId, std::array<double, 4>> coordinate;  // of each cell of the area, by side
   std::map<CellId, std::array<double, 4>> outline;     // joined: where each cell's tile itself ends
   std::set<std::pair<CellId, CellId>> left_open;  // borders at the rim of an area that is not known: no seams there

@@ -204,6 +204,12 @@ struct LeftOpen {
   std::optional<Point3> at = std::nullopt;  // one end of the first of the edges, where there is no hole
 };
 
+// Of a plan, for the report alone.
+struct PlanRemarks {
+  bool has_polygon = false;  // PlanInput::area is not empty
+  double piece_reach = 0;    // metres: a scene of one tile whose pieces overlap by less than this; 0: it is one piece
+};
+
 struct Plan {
   std::vector<PlanVertex> vertices;
   std::vector<PlannedHole> holes;   // by cell, then in order of their first segment
@@ -223,7 +229,7 @@ struct Plan {
   bool single_mesh = false;  // without a grid: the lattice suits its edges, in units of its own
   bool upright = true;       // as CellHoles
   bool float32 = true;       // the number type of cells without a tile: false if every tile has float64
-  bool has_polygon = false;  // PlanInput::area is not empty
+  PlanRemarks remarks;
   // Per tile: the plan vertex of each boundary vertex of its record; -1: it bounds no hole. Tiles of which none does
   // are not there.
   std::map<CellId, std::vector<int32_t>> vertex_of_boundary;

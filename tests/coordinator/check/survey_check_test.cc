@@ -86,6 +86,17 @@ TEST(SurveyCheckTest, EdgesAreThoseOfTheBand) {
   EXPECT_FALSE(Takes([](SurveyRecord& r) { r.band.triangles.clear(); }));
 }
 
+TEST(SurveyCheckTest, EdgesMayBeDoubleWhereTrianglesAre) {
+  SurveyRecord record = SurveyTile(PiecesOfOneSurface(), true, PieceAreas::kNo);
+  ASSERT_EQ(record.edges.size(), 28u);
+  EXPECT_TRUE(CheckSurvey(record, kMost).ok()) << CheckSurvey(record, kMost);
+  for (size_t e = 0; e < record.edges.size(); ++e) {
+    SurveyRecord thrice = record;
+    thrice.edges.push_back(record.edges[e]);
+    EXPECT_FALSE(CheckSurvey(thrice, kMost).ok()) << e;
+  }
+}
+
 TEST(SurveyCheckTest, ABoundaryHasNoEnd) {
   SurveyRecord record = Honest();
   // One triangle of the band with its boundary edge and that vertex's other edge, gone without a trace in the band.

@@ -72,7 +72,7 @@ TEST(CheckDecisionsTest, RefusesDecisionsOfWhichNoneHasAnEffect) {
 TEST(PlanWarningsTest, SaysThatNoHoleLiesInTheArea) {
   Plan plan;
   EXPECT_THAT(PlanWarnings(plan), IsEmpty());
-  plan.has_polygon = true;
+  plan.remarks.has_polygon = true;
   EXPECT_THAT(PlanWarnings(plan), ElementsAre("no hole lies in the area, so nothing is filled"));
   plan.left.emplace_back();
   EXPECT_THAT(PlanWarnings(plan), IsEmpty());

@@ -145,23 +145,6 @@ TEST(OutlineWalkTest, ChainsOfOverlappingPiecesAreNotTakenCrosswise) {
   EXPECT_EQ(ends, (std::set<std::pair<int32_t, int32_t>>{{7, 9}, {3, 0}}));
 }
 
-// Where a piece ends at its own outline, the gap begins where that comes to the tile's, not straight ahead.
-TEST(OutlineWalkTest, AGapBeginsWhereTheOutlineOfThePieceLeads) {
-  const PieceRings tile = RiversEnd();
-  std::vector<bool> taken;
-  for (const BoundaryKind kind : tile.kinds) taken.push_back(kind != BoundaryKind::kPiece);
-  constexpr Outline kWide{{0, 20, 0, 10}};
-  const OutlineWalk walk = WalkOutline(tile.record, taken, kWide, 0.1);
-  ASSERT_THAT(walk.gaps, SizeIs(1));
-  EXPECT_EQ(walk.gaps[0].from, tile.At(9.8, 8));
-  EXPECT_EQ(walk.gaps[0].to, tile.At(20, 8));
-  EXPECT_TRUE(walk.gaps[0].open);
-  EXPECT_EQ(walk.gaps[0].begin, 25.2);
-  EXPECT_EQ(walk.gaps[0].end, 28);
-  EXPECT_TRUE(kWide.At(25.2).first.isApprox(Point2(20, 5.2)));
-  EXPECT_EQ(kWide.At(25.2).second, kEast);
-}
-
 // Two pieces end at a lake one beside the other, the eastern one under the other; the way along the lake is the open
 // one, not that between the two.
 TEST(OutlineWalkTest, AShortWayInALongOneLeavesThatOpen) {
@@ -169,7 +152,7 @@ TEST(OutlineWalkTest, AShortWayInALongOneLeavesThatOpen) {
   tile.Add({{0, 0}, {11, 0}, {11, 10}, {10.6, 10}, {8, 9.8}, {0, 4}}, "opocco");
   tile.Add({{9, 0}, {20, 0}, {20, 10}, {10.8, 10}, {9, 9.4}}, "ooocp");
   std::vector<bool> taken;
-  for (const BoundaryKind kind : tile.kinds) taken.push_back(kind != BoundaryKind::kPiece);
+  for (const char kind : tile.kinds) taken.push_back(kind != 'p');
   const OutlineWalk walk = WalkOutline(tile.record, taken, {{0, 20, 0, 10}}, 5);
   ASSERT_THAT(walk.gaps, SizeIs(2));
   for (const OutlineGap& gap : walk.gaps) {
@@ -184,7 +167,7 @@ TEST(OutlineWalkTest, WaysOfOverlappingPiecesDoNotRunBesideEachOther) {
   tile.Add({{9, 0}, {20, 0}, {20, 10}, {14, 10}, {14, 7}, {9.5, 8}, {9.3, 10}, {9, 10}}, "ooocccop");
   tile.Add({{0, 0}, {11, 0}, {11, 9}, {9.2, 10}, {0, 10}}, "opcoo");
   std::vector<bool> taken;
-  for (const BoundaryKind kind : tile.kinds) taken.push_back(kind != BoundaryKind::kPiece);
+  for (const char kind : tile.kinds) taken.push_back(kind != 'p');
   OutlineWalk walk = WalkOutline(tile.record, taken, {{0, 20, 0, 10}}, 2);
   ASSERT_THAT(walk.gaps, SizeIs(2));
   std::ranges::sort(walk.gaps, {}, &OutlineGap::begin);

@@ -20,6 +20,8 @@
 namespace tilemend {
 namespace {
 
+using ::testing::DoubleNear;
+using ::testing::ElementsAre;
 using ::testing::SizeIs;
 
 Plan PlanOf(const SurveyedScene& scene) { return MakePlan(scene.Input(), {}); }
@@ -299,6 +301,19 @@ TEST_P(OwnRegionsTest, OfNeighboursFollowTheSameVertices) {
     const bool inside = p.x() > 0 && p.x() < 20 && p.y() > 0 && p.y() < 20;
     const bool corner = plan.vertices[vertex].lines == 3;
     EXPECT_THAT(places, SizeIs(!inside ? 1 : corner ? 4 : 2)) << p.transpose();
+  }
+}
+
+TEST_P(OwnRegionsTest, HolesOverTurnedPiecesOfOneTileAreFound) {
+  for (const double angle : {0.0, -0.0178, 0.3}) {
+    const Plan plan = PlanOf(TurnedPiecesScene(GetParam(), angle));
+    EXPECT_NEAR(plan.remarks.piece_reach, 6 * GetParam(), 1e-3);
+    for (const PlannedHole& hole : plan.holes) EXPECT_EQ(hole.failure, "") << angle;
+    std::vector<double> areas;
+    for (const PlannedHole& hole : plan.holes) areas.push_back(hole.area);
+    std::ranges::sort(areas);
+    const double margins = 4 * GetParam();  // pieces reach into the pond, too
+    EXPECT_THAT(areas, ElementsAre(DoubleNear(4, 0.5), DoubleNear(32, 12 * margins))) << angle;
   }
 }
 

@@ -74,7 +74,7 @@ TEST(FindGridLinesTest, FollowsTheOutlinesOfIndependentTiles) {
   const GridLines lines = FindLines(scene.Input());
   EXPECT_NEAR(lines.At({0, 0}, kEast), 100.25, 1e-9);
   EXPECT_NEAR(lines.At({1, 0}, kWest), 99.75, 1e-9);
-  EXPECT_NEAR(lines.piece_reach, 0.75, 1e-9);
+  EXPECT_NEAR(lines.pieces.reach, 0.75, 1e-9);
 }
 
 TEST(FindGridLinesTest, LeavesTheRimOfAnUnknownAreaOpen) {

@@ -44,10 +44,10 @@ TEST(CutByAreaTest, LeavesNothingWhereTheSurfaceCoversThePolygon) {
 
 TEST(CutByAreaTest, ThePlanKnowsThatThereIsAPolygon) {
   const Plan plan = PlanIn(PictureScene(kBay, 8), {Box(1, 1, 3.5, 7)});
-  EXPECT_TRUE(plan.has_polygon);
+  EXPECT_TRUE(plan.remarks.has_polygon);
   EXPECT_THAT(plan.holes, testing::IsEmpty());
   EXPECT_THAT(plan.left, testing::IsEmpty());
-  EXPECT_FALSE(PlanIn(PictureScene(kBay, 8), {}).has_polygon);
+  EXPECT_FALSE(PlanIn(PictureScene(kBay, 8), {}).remarks.has_polygon);
 }
 
 TEST(CutByAreaTest, ClosesABayAlongThePolygonAtVerticesOutsideIt) {

@@ -1,0 +1,75 @@
+#include "coordinator/plan/overlap/picture_edges.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace tilemend {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+constexpr CellId kCell{0, 0};
+
+// A tile with an edge from (0, 0) to (4, 0) and one from (2, -2) to (2, 2), which cross at (2, 0); in the plan its
+// vertices have the numbers 10 to 13, and the crossing 14. A hole lies to the right of both.
+struct CrossingEdges {
+  JointTiles joint;
+  Plan plan;
+  PlannedHole hole;
+  const std::vector<int32_t> numbers = {10, 11, 12, 13, 14};
+
+  CrossingEdges() {
+    auto record = std::make_shared<SurveyRecord>();
+    plan.vertices.resize(10);
+    for (const Point3& p : {Point3(0, 0, 0), Point3(4, 0, 0), Point3(2, -2, 0), Point3(2, 2, 0), Point3(2, 0, 0)}) {
+      plan.vertices.emplace_back().position = p;
+      if (record->vertices.size() < 4) record->vertices.emplace_back().position = p;
+    }
+    record->edges = {{0, 1}, {2, 3}};
+    joint.own[kCell] = std::move(record);
+    joint.edges_through[kCell] = {{0, 1}};
+    hole.segments = {{11, 14, false}, {14, 12, false}, {12, 11, false}};
+  }
+
+  PictureEdges Edges() const { return {joint, kCell, numbers}; }
+};
+
+TEST(PictureEdgesTest, TellsWhereAHolePassesFromOneEdgeToAnother) {
+  const CrossingEdges scene;
+  const std::vector<EdgeCrossing> crossings = scene.Edges().CrossingsOf(scene.plan, scene.hole);
+  ASSERT_EQ(crossings.size(), 1U);
+  EXPECT_EQ(crossings[0].arriving, 1);
+  EXPECT_EQ(crossings[0].leaving, 0);
+  EXPECT_EQ(crossings[0].place, Point2(2, 0));
+}
+
+TEST(PictureEdgesTest, AHoleThatGoesOnAlongAnEdgePassesToNone) {
+  CrossingEdges scene;
+  scene.hole.segments = {{11, 14, false}, {14, 10, false}, {10, 11, false}};
+  EXPECT_THAT(scene.Edges().CrossingsOf(scene.plan, scene.hole), IsEmpty());
+}
+
+TEST(PictureEdgesTest, ASeamIsNoEdge) {
+  CrossingEdges scene;
+  scene.hole.segments[1].seam = true;
+  EXPECT_THAT(scene.Edges().CrossingsOf(scene.plan, scene.hole), IsEmpty());
+}
+
+TEST(PictureEdgesTest, TellsWholeEdgesAndThoseAtTheEndsOfParts) {
+  const CrossingEdges scene;
+  const PictureEdges edges = scene.Edges();
+  EXPECT_TRUE(edges.IsOwn(13));
+  EXPECT_FALSE(edges.IsOwn(14));
+  EXPECT_EQ(edges.Whole({11, 10, false}), 0);
+  EXPECT_EQ(edges.Whole({10, 11, false}), std::nullopt) << "the other way round";
+  EXPECT_THAT(edges.AtEnds({11, 14, false}), ElementsAre(0, 1));
+  EXPECT_THAT(edges.AtEnds({11, 10, false}), IsEmpty());
+}
+
+}  // namespace
+}  // namespace tilemend
