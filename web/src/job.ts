@@ -213,7 +213,7 @@ export class JobView {
       this.table = null;
       const none = isOver(job) ? 'There is no list of holes.' : 'The holes are listed here once all cells are surveyed and the plan is made.';
       const why = this.gone && this.holesError ? ['The list of holes cannot be shown: ', ...errorWithLink(this.gone)] : [this.holesError || none];
-      this.holesBox.replaceChildren(el('p', { class: 'quiet' }, ...why));
+      this.holesBox.replaceChildren(el('h2', {}, 'Holes'), el('p', { class: 'quiet' }, ...why));
       return;
     }
     this.holesNote.textContent = this.holesError ? this.holesError : holes.planned

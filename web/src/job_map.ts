@@ -6,7 +6,8 @@ const STATES: Record<string, string> = {
   '-': 'empty', '?': 'unknown', '.': 'waiting', s: 'surveyed', p: 'planned', f: 'filling', F: 'closed', w: 'written', x: 'failed' };
 export const STATE_NAMES: [string, string][] = [
   ['waiting', 'waiting'], ['surveyed', 'surveyed'], ['planned', 'planned'], ['filling', 'filling'],
-  ['closed', 'filled'], ['written', 'written'], ['left', 'holes left open'], ['failed', 'failed'], ['unknown', 'not known'], ['empty', 'no tile']];
+  ['closed', 'filled'], ['written', 'written'], ['left', 'holes left open'], ['failed', 'failed'], ['unknown', 'not known'], ['empty', 'no tile'],
+  ['held', 'a worker has it']];
 
 // Letters of cells whose fills are there.
 const FILLED = 'Fw';
@@ -35,7 +36,7 @@ export class JobMap implements Squares {
   readonly stateOf = (k: number): string => {
     const letter = this.cells.cells[k];
     if (letter === undefined || letter === ' ') return '';
-    const state = this.leftIn(k) > 0 && letter !== 'x' ? 'left' : STATES[letter] ?? 'waiting';
+    const state = this.nameOf(k, letter);
     return this.held.has(k) ? `${state} held` : state;
   };
 
@@ -49,11 +50,22 @@ export class JobMap implements Squares {
 
   // Those that are there.
   states(): Set<string> {
-    const letters = new Set(this.cells.cells);
+    const letters = new Set(this.cells.cells), ofHoles = [...this.counts.keys()].filter((k) => k >= 0);
     letters.delete(' ');
+    const made = ofHoles.filter((k) => this.cells.cells[k] === '-' && this.nameOf(k, '-') !== 'empty');
+    if (made.length > 0 && made.length === this.cells.cells.split('-').length - 1) letters.delete('-');
     const states = new Set([...letters].map((letter) => STATES[letter] ?? 'waiting'));
-    for (const k of this.counts.keys()) if (this.leftIn(k) > 0) states.add('left');
+    for (const k of ofHoles) states.add(this.nameOf(k, this.cells.cells[k] ?? ' '));
+    if (this.held.size > 0) states.add('held');
     return states;
+  }
+
+  // A cell without a tile gets one by its fill. After a restart the coordinator does not know that, but the report does.
+  private nameOf(k: number, letter: string): string {
+    if (this.leftIn(k) > 0 && letter !== 'x') return 'left';
+    const [all, open] = this.counts.get(k) ?? [0, 0];
+    if (letter === '-' && all > open && this.holes && !this.holes.planned) return 'written';
+    return STATES[letter] ?? 'waiting';
   }
 
   private leftIn(k: number): number { return this.counts.get(k)?.[2] ?? 0; }

@@ -264,7 +264,8 @@ export function reviewQueue(report: Pick<Report, 'scene' | 'date' | 'look_at' | 
     const picture = holesOf(item).map(pictureOf).find(Boolean);
     const cells = columns.map((column) => {
       const text = column.text({ item, rank, absolute, why });
-      return el('td', { class: column.class ?? (column.isNumber ? 'number' : '') }, picture && column.title === 'hole' ? pictureLink(text, picture) : text);
+      const hasLabel = column.title !== '' && column.class !== 'because'; // where the table is narrow
+      return el('td', { class: column.class ?? (column.isNumber ? 'number' : ''), ...(hasLabel ? { 'data-label': column.title } : {}) }, picture && column.title === 'hole' ? pictureLink(text, picture) : text);
     });
     const row = new Row(item, rank, absolute, cells, marks, () => tell());
     for (const hole of item.holes) rowOf.set(hole, row);
