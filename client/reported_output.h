@@ -54,7 +54,7 @@ struct ReportedOutput {
   std::map<CellId, int64_t> cleared;  // triangles taken out
   std::map<CellId, double> filled;    // m2 of its holes that were filled
   std::vector<LevelCounts> levels;    // of detail, the coarsest first
-  double overlap = 0;                 // metres: how far tiles reach over the sides of their cells, or pieces of a tile; 0: they do not
+  double overlap = 0;                 // metres: of tiles over the sides of their cells, or of pieces; 0: none
   bool has_textures = true;           // material files and images were to be carried
 };
 

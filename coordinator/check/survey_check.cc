@@ -64,8 +64,8 @@ uint64_t EdgeKey(int32_t from, int32_t to) {
 
 // Edges between boundary vertices, directed as triangles of the band have them, sorted.
 struct BandEdges {
-  std::vector<uint64_t> single;  // in exactly one triangle: the boundary has them all
-  std::vector<uint64_t> odd;     // of several triangles, as often as more have them so than the other way: it may
+  std::vector<uint64_t> single;   // in exactly one triangle: the boundary has them all
+  std::vector<uint64_t> doubled;  // in two that have them the same way, each once: it may have them twice
 };
 
 BandEdges EdgesOfBand(const SurveyRecord& record) {
@@ -88,11 +88,11 @@ BandEdges EdgesOfBand(const SurveyRecord& record) {
     int64_t back = 0;
     for (; j < uses.size() && uses[j].edge == uses[i].edge; ++j) back += uses[j].back ? 1 : -1;
     const uint64_t edge = back > 0 ? uses[i].edge << 32 | uses[i].edge >> 32 : uses[i].edge;
-    std::vector<uint64_t>& kind = j - i == 1 ? edges.single : edges.odd;
-    kind.insert(kind.end(), static_cast<size_t>(std::abs(back)), edge);
+    if (j - i == 1) edges.single.push_back(edge);
+    if (j - i == 2 && back != 0) edges.doubled.push_back(edge);
   }
   std::sort(edges.single.begin(), edges.single.end());
-  std::sort(edges.odd.begin(), edges.odd.end());
+  std::sort(edges.doubled.begin(), edges.doubled.end());
   return edges;
 }
 
@@ -106,9 +106,12 @@ absl::Status CheckEdges(const SurveyRecord& record) {
   }
   std::sort(edges.begin(), edges.end());
   const BandEdges of_band = EdgesOfBand(record);
-  std::vector<uint64_t> more;
+  std::vector<uint64_t> more, twice;
   std::ranges::set_difference(edges, of_band.single, std::back_inserter(more));
-  if (more.size() + of_band.single.size() != edges.size() || !std::ranges::includes(of_band.odd, more)) {
+  for (size_t i = 0; i + 1 < more.size() && more[i] == more[i + 1]; i += 2) twice.push_back(more[i]);
+  const bool has_single = more.size() + of_band.single.size() == edges.size();
+  const bool is_once = std::ranges::adjacent_find(twice) == twice.end();
+  if (!has_single || 2 * twice.size() != more.size() || !is_once || !std::ranges::includes(of_band.doubled, twice)) {
     return Wrong("boundary edges that are not those of the band");
   }
   if (std::count(degree.begin(), degree.end(), 0) > 0) return Wrong("a boundary vertex without an edge");

@@ -19,13 +19,14 @@
 #include "coordinator/plan/overlap/joint_ground.h"
 #include "coordinator/plan/overlap/joint_tiles.h"
 #include "coordinator/plan/overlap/own_regions.h"
-#include "coordinator/plan/rim/piece_layout.h"
 #include "coordinator/plan/overlap/strip_edges.h"
 #include "coordinator/plan/overlap/wall_feet.h"
 #include "coordinator/plan/rim/area_proposal.h"
 #include "coordinator/plan/rim/border_audit.h"
 #include "coordinator/plan/rim/closing_cells.h"
 #include "coordinator/plan/rim/grid_lines.h"
+#include "coordinator/plan/rim/outline_turn.h"
+#include "coordinator/plan/rim/piece_layout.h"
 #include "coordinator/plan/rim/rim.h"
 #include "coordinator/plan/rim/rim_index.h"
 #include "coordinator/plan/rim/rim_sizes.h"
@@ -173,13 +174,15 @@ struct TileLayout {
   double lattice_step = 0;
   std::vector<BorderAudit> borders;
   GridLines lines;
-  std::optional<JointTiles> joint;  // of tiles that share no vertices; without the area
+  std::optional<PieceLayout> pieces;  // of a scene of one tile that is stored in pieces
+  std::optional<JointTiles> joint;    // of tiles that share no vertices; without the area
 };
 
-// Of a scene of one tile that is stored in pieces.
+// Of a scene of one tile that is stored in pieces. Cells may be there that only the area makes a part of the scene.
 std::optional<PieceLayout> PiecesOf(const PlanInput& input) {
-  if (input.cells.size() != 1 || input.cells.begin()->second == nullptr) return std::nullopt;
-  return FindPieceLayout(*input.cells.begin()->second.Outline());
+  const auto has_tile = [](const auto& of_cell) { return of_cell.second != nullptr; };
+  if (std::ranges::count_if(input.cells, has_tile) != 1) return std::nullopt;
+  return FindPieceLayout(*std::ranges::find_if(input.cells, has_tile)->second.Outline());
 }
 
 // Cost: O(n log n) in the boundary edges.
@@ -190,9 +193,10 @@ TileLayout LayOutTiles(const PlanInput& input) {
   BorderFindings findings = AuditBorders(input);
   layout.lines = FindGridLines(input, findings, layout.lattice_step);
   layout.borders = std::move(findings.borders);
-  if (const std::optional<PieceLayout> pieces = PiecesOf(input)) {
+  layout.pieces = PiecesOf(input);
+  if (layout.pieces) {
     findings.independent = true;
-    layout.lines.pieces = *pieces;
+    layout.lines.pieces = *layout.pieces;
   }
   if (!findings.independent) return layout;
   layout.joint = JoinTiles(input, layout.lines, layout.lattice_step);
@@ -295,7 +299,7 @@ Plan PlanGrid(const PlanInput& input, const PlanOptions& options, const TileLayo
   Plan plan;
   plan.lattice_step = layout.lattice_step;
   plan.borders = layout.borders;
-  if (layout.joint && input.cells.size() == 1) plan.remarks.piece_reach = layout.lines.pieces.reach;
+  if (layout.pieces) plan.remarks.piece_reach = layout.pieces->reach;
   if (layout.joint) {
     PlanOverlapping(input, layout, options, plan);
   } else {
@@ -359,6 +363,7 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   TileLayout layout = LayOutTiles(input);
   Plan plan = PlanHoles(input, options, layout);
   plan.float32 = NewTilesAreFloat32(input);
+  if (layout.joint && !layout.pieces) plan.remarks.turn = TurnOfTiles(input);
   if (!plan.upright) return options.cancelled() ? Plan() : plan;
   if (!options.cancelled()) TellWater(input, options, WaterOfScene(input, options, layout, plan), plan);
   if (!options.cancelled()) LeaveWithoutHeight(plan);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -56,6 +57,25 @@ std::string NameOf(const WaterAnswer& answer) {
   return answer.decision == ReviewDecision::kNone ? "polygon " + answer.label : answer.label;
 }
 
+// Of what the numbers and the cut of the tiles make impossible, and of an area without holes.
+void WarnOfTiles(const Plan& plan, std::vector<std::string>& warnings) {
+  if (!plan.single_mesh && plan.lattice_step > kMeetTolerance) {
+    warnings.push_back(absl::StrFormat(
+        "the tiles have single-precision numbers far from 0, which are %g m apart: heights are not finer than that; "
+        "export with a local origin or in double precision",
+        plan.lattice_step));
+  }
+  if (plan.remarks.turn != 0) {
+    warnings.push_back(absl::StrFormat(
+        "the tiles are turned by %.2f degrees against the scene's axes, so holes over their borders may be missed, and "
+        "others found that are none; export in the frame of the map, as OBJ or OSGB",
+        plan.remarks.turn * 180 / std::numbers::pi));
+  }
+  if (plan.remarks.has_polygon && plan.holes.empty() && plan.left.empty()) {
+    warnings.emplace_back("no hole lies in the area, so nothing is filled");
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> PlanWarnings(const Plan& plan) {
@@ -87,15 +107,7 @@ std::vector<std::string> PlanWarnings(const Plan& plan) {
   KeepFirst(kMostDecisions, "doubts of decisions (water_areas in the report)", doubts_of_decisions);
   std::ranges::move(doubts_of_decisions, std::back_inserter(warnings));
   WarnOfWaterAtUnknownRim(plan, warnings);
-  if (!plan.single_mesh && plan.lattice_step > kMeetTolerance) {
-    warnings.push_back(absl::StrFormat(
-        "the tiles have single-precision numbers far from 0, which are %g m apart: heights are not finer than that; "
-        "export with a local origin or in double precision",
-        plan.lattice_step));
-  }
-  if (plan.remarks.has_polygon && plan.holes.empty() && plan.left.empty()) {
-    warnings.emplace_back("no hole lies in the area, so nothing is filled");
-  }
+  WarnOfTiles(plan, warnings);
   return warnings;
 }
 

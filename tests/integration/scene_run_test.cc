@@ -348,6 +348,13 @@ TEST_F(SceneRunTest, PondsOverPiecesOfOneTileAreClosed) {
   for (const char* finding : {"open_edges", "nonmanifold_edges", "missing_faces"}) {
     EXPECT_EQ(check["findings"][finding]["count"], 0) << finding;
   }
+  // An area beyond the cell: then there are cells without a tile, and a hole around the pieces.
+  const Json ring = {{-1, -1}, {51, -1}, {51, 51}, {-1, 51}, {-1, -1}};
+  folder_.Write("area.geojson", Json{{"type", "Polygon"}, {"coordinates", {ring}}}.dump());
+  EXPECT_EQ(Run(folder_ / "scene", folder_ / "all", {"--area", folder_ / "area.geojson"}).code, 0);
+  const Json all = Json::parse(*ReadFile(folder_ / "all/report.json"));
+  EXPECT_EQ(all["filled"]["closed"], 2);
+  EXPECT_EQ(all["left"].size(), 0U) << all["left"];
 }
 
 TEST_F(SceneRunTest, InspectWritesNothing) {

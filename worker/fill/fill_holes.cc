@@ -171,10 +171,6 @@ class HoleFiller {
     const Way unrolled{FillWay::kUnrolled, Check::kFreely, [&] { return FillUnrolled(FreeHole(), options_); }};
     if (steep) ways.push_back(unrolled);
     AddPlanes(false, ways);
-    if (hole_.in_ground) {
-      AddPlanes(true, ways);
-      return ways;
-    }
     if (smooth) {
       ways.push_back(
           {FillWay::kFacingPlane, Check::kFreely, [&] { return FillOverFacingPlane(FreeHole(), options_); }});
@@ -186,7 +182,7 @@ class HoleFiller {
   }
 
   // Water, open holes, and holes whose rim stands on objects.
-  bool FillsOverGround() const { return hole_.open || hole_.level || !hole_.on_object.empty(); }
+  bool FillsOverGround() const { return IsHoleInGround() || !hole_.on_object.empty(); }
 
   // Filled as heights even where the rim folds: the surface around them crosses itself there as well.
   bool IsHoleInGround() const { return hole_.open || hole_.level || hole_.in_ground; }
@@ -211,7 +207,7 @@ class HoleFiller {
                       }});
     };
     const Check over_ground = cut_folds && !IsHoleInGround() ? Check::kCrossings : Check::kNothing;
-    if (FillsOverGround() || hole_.in_ground) {
+    if (FillsOverGround()) {
       add(hole_.level ? FillWay::kWater : FillWay::kGround, over_ground, ProjectionFrame::Upright());
       return;
     }

@@ -29,7 +29,7 @@ namespace tilemend {
 // With options.filler but kAuto closed holes without a level are filled by that one alone
 // (options.published), their patches checked for crossings.
 //
-// A closed hole in the ground (CellHole::in_ground), or with a level, is filled as an open one. That is over the
+// A closed hole in the ground (LocalHole::in_ground), or with a level, is filled as an open one. That is over the
 // ground, if need be with its folds cut off. New vertices of water all get its level.
 //
 // A patch of a closed hole that is no height over the ground must cross neither itself nor `near`. Nor may it cross the

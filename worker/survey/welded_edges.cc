@@ -42,19 +42,23 @@ bool AreAtTheSameCorners(const TriMesh& mesh, int32_t a, int32_t b) {
   });
 }
 
-// Whether two triangles at an edge lie on the same side of it.
-bool AreOnOneSide(const TriMesh& mesh, const HalfEdge& a, const HalfEdge& b) {
+// Whether two triangles that go the same way along an edge lie on each other: on one side of it, facing one way.
+bool LieOnEachOther(const TriMesh& mesh, const HalfEdge& a, const HalfEdge& b) {
+  const auto corner = [&](const HalfEdge& e, int k) {
+    return mesh.points[mesh.triangles[e.triangle][(e.place + k) % 3]];
+  };
   const auto across = [&](const HalfEdge& e) {
-    const auto corner = [&](int k) { return mesh.points[mesh.triangles[e.triangle][(e.place + k) % 3]]; };
-    const Point3 from = corner(0);
-    const Eigen::Vector3d along = (corner(1) - from).normalized(), tip = corner(2) - from;
+    const Point3 from = corner(e, 0);
+    const Eigen::Vector3d along = (corner(e, 1) - from).normalized(), tip = corner(e, 2) - from;
     return Eigen::Vector3d(tip - along.dot(tip) * along);
   };
-  return across(a).dot(across(b)) > 0;
+  const auto normal = [&](const HalfEdge& e) {
+    return Eigen::Vector3d(Eigen::Vector3d(corner(e, 1) - corner(e, 0)).cross(corner(e, 2) - corner(e, 0)));
+  };
+  return across(a).dot(across(b)) > 0 && normal(a).dot(normal(b)) > 0;
 }
 
-// Of edges where two triangles lie on each other: those that lead on from where the boundary ends to where it begins
-// again.
+// Of edges where two triangles lie on each other: those that hang together with a place where the boundary ends.
 std::vector<HalfEdge> EdgesThatClose(const std::vector<HalfEdge>& boundary, const std::vector<HalfEdge>& odd) {
   std::map<int32_t, int32_t> number;  // of the vertices at odd edges
   for (const HalfEdge& e : odd) {
@@ -117,7 +121,7 @@ class EdgeSorter {
     record_.repeated_edges += repeats;
     record_.nonmanifold_edges += edge.size() > 2;
     const bool is_same_way = edge.size() == 2 && edge[0].from == edge[1].from;
-    const bool lies_double = is_same_way && doubles_ == DoubleEdges::kClose && AreOnOneSide(mesh_, edge[0], edge[1]);
+    const bool lies_double = is_same_way && doubles_ == DoubleEdges::kClose && LieOnEachOther(mesh_, edge[0], edge[1]);
     record_.disagreeing_edges += is_same_way && !lies_double && !repeats;
     if (lies_double) double_.insert(double_.end(), edge.begin(), edge.end());
   }

@@ -29,7 +29,7 @@ struct WeldedEdges {
 // Where two triangles lie on each other and end at one edge.
 enum class DoubleEdges {
   kNone,   // it is no boundary
-  kClose,  // it is boundary twice, if the boundary would not close without it: pieces of a tile end there
+  kClose,  // it is boundary twice, if boundary ends there or along such edges: pieces of a tile end there
 };
 
 // The edges between welded vertices. Those in exactly one triangle are boundary. Counts the degenerate triangles,

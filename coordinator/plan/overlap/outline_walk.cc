@@ -47,12 +47,12 @@ class Walker {
   Walker(const SurveyRecord& record, const std::vector<bool>& taken, const Outline& outline, double piece_reach)
       : record_(record), taken_(taken), outline_(outline), piece_reach_(piece_reach) {}
 
-  OutlineWalk Run(const std::vector<EdgeCrossing>& crossings) {
+  OutlineWalk Run(const std::vector<ChainPassage>& passages) {
     for (size_t e = 0; e < record_.edges.size(); ++e) {
       walk_.on_outline.push_back(taken_[e] && SideOf(record_.edges[e]).has_value());
     }
     FindEvents();
-    CloseAtPieces(crossings);
+    CloseAtPieces(passages);
     SortEvents();
     CountLayers();
     OrderWherePiecesOverlap();
@@ -108,9 +108,9 @@ class Walker {
   }
 
   // What ends where a piece does goes on at another chain, or counts to the outline.
-  void CloseAtPieces(const std::vector<EdgeCrossing>& crossings) {
+  void CloseAtPieces(const std::vector<ChainPassage>& passages) {
     if (piece_ends_.empty()) return;
-    PieceBoundary boundary{record_, {}, {}, crossings};
+    PieceBoundary boundary{record_, {}, {}, passages};
     for (size_t e = 0; e < taken_.size(); ++e) boundary.in_chain.push_back(taken_[e] && !walk_.on_outline[e]);
     for (const BoundaryVertex& v : record_.vertices) {
       boundary.on_outline.push_back(outline_.SideAt(v.position).has_value());
@@ -122,7 +122,13 @@ class Walker {
       const Event &from = piece_ends_[begin], &to = piece_ends_[end];
       walk_.gaps.push_back({from.vertex, to.vertex, 0, 0, false, from.across, to.across});
     }
-    for (const size_t end : matches.on_outline) events_.push_back(piece_ends_[end]);
+    for (const auto& [end, at] : matches.on_outline) {
+      Event& event = events_.emplace_back(piece_ends_[end]);
+      if (!at) continue;
+      const Point3 there(at->x(), at->y(), 0);
+      const double place = outline_.PlaceOf(there, outline_.NearestSide(there));
+      if (std::abs(place - event.place) > kOverlaps * piece_reach_) event.place = place;  // else straight on to it
+    }
   }
 
   double PlaceOf(int32_t v) const {
@@ -323,8 +329,8 @@ Side Outline::NearestSide(const Point3& p) const {
 }
 
 OutlineWalk WalkOutline(const SurveyRecord& record, const std::vector<bool>& taken, const Outline& outline,
-                        double piece_reach, const std::vector<EdgeCrossing>& crossings) {
-  return Walker(record, taken, outline, piece_reach).Run(crossings);
+                        double piece_reach, const std::vector<ChainPassage>& passages) {
+  return Walker(record, taken, outline, piece_reach).Run(passages);
 }
 
 }  // namespace tilemend

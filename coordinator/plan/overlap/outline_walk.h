@@ -51,7 +51,7 @@ struct OutlineWalk {
 // those are closed as well (MatchPieceEnds), straight; `piece_reach` is how far pieces overlap, or part. Every vertex
 // where chains off the outline begin or end is in one gap each time. Cost O(n log n), and what MatchPieceEnds costs.
 OutlineWalk WalkOutline(const SurveyRecord& record, const std::vector<bool>& taken, const Outline& outline,
-                        double piece_reach, const std::vector<EdgeCrossing>& crossings = {});
+                        double piece_reach, const std::vector<ChainPassage>& passages = {});
 
 }  // namespace tilemend
 

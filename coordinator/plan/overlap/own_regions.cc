@@ -138,7 +138,7 @@ class CellRegions {
         plan_(plan),
         new_(cell, outline_, plan) {
     for (const Side s : kSides) outline_.side[s] = own.At(cell, s);
-    std::vector<EdgeCrossing> crossings;
+    std::vector<ChainPassage> passages;
     if (joint.own.contains(cell)) {
       cut_ = joint.cut.at(cell);
       chain_ = joint.chain.at(cell);
@@ -146,11 +146,11 @@ class CellRegions {
       of.resize(joint.records.at(cell).vertices.size(), -1);  // it may have none that bounds a hole
       picture_.emplace(joint, cell, of);
       for (const size_t h : holes) {
-        const std::vector<EdgeCrossing> of_hole = picture_->CrossingsOf(plan, plan.holes[h]);
-        crossings.insert(crossings.end(), of_hole.begin(), of_hole.end());
+        const std::vector<ChainPassage> of_hole = picture_->PassagesOf(plan, plan.holes[h]);
+        passages.insert(passages.end(), of_hole.begin(), of_hole.end());
       }
     }
-    walk_ = WalkOutline(record_, chain_, outline_, own.pieces.reach, crossings);
+    walk_ = WalkOutline(record_, chain_, outline_, own.pieces.reach, passages);
   }
 
   // Of the holes of this cell. Those that one chain bounds become one; what is none stays without segments.
@@ -164,9 +164,10 @@ class CellRegions {
       const std::vector<LineVertex> line = LineVertices(first);
       LinkParts link_parts(LengthOf(plan_, region), std::ssize(region));
       for (const OutlineGap& gap : members.gaps) AddGap(gap, first, line, link_parts, region);
-      const bool is_ring = walk_.all_open && !line.empty() && members.gaps.empty();
+      const bool is_at_outline = std::ranges::any_of(members.gaps, &OutlineGap::open);  // of the tile
+      const bool is_ring = walk_.all_open && !line.empty() && !is_at_outline;
       if (is_ring) AddRing(line, region);
-      const bool on_outline = is_ring || std::ranges::any_of(members.gaps, &OutlineGap::open);  // of the tile
+      const bool on_outline = is_ring || is_at_outline;
       if (!region.empty() && IsLostRegion(plan_, first.segments, region, on_outline)) {
         first.failure = kLost;
       } else if (whole < region.size()) {

@@ -5,7 +5,7 @@
 namespace tilemend {
 
 PictureEdges::PictureEdges(const JointTiles& joint, CellId cell, const std::vector<int32_t>& vertices)
-    : record_(*joint.own.at(cell)) {
+    : record_(*joint.own.at(cell)), chain_(joint.chain.at(cell)) {
   const size_t own = record_.vertices.size();
   for (size_t v = 0; v < own; ++v) own_vertex_.emplace(vertices[v], static_cast<int32_t>(v));
   const std::vector<std::vector<int32_t>>& through = joint.edges_through.at(cell);
@@ -34,18 +34,52 @@ std::vector<int32_t> PictureEdges::AtEnds(const RimSegment& s) const {
   return edges;
 }
 
-std::vector<EdgeCrossing> PictureEdges::CrossingsOf(const Plan& plan, const PlannedHole& hole) const {
-  std::map<int32_t, std::vector<const RimSegment*>> leaving;
-  for (const RimSegment& s : hole.segments) leaving[s.from].push_back(&s);
-  std::vector<EdgeCrossing> crossings;
-  for (const RimSegment& s : hole.segments) {
-    const auto next = leaving.find(s.to);
-    if (!through_.contains(s.to) || next == leaving.end() || next->second.size() != 1) continue;
-    const std::optional<int32_t> before = Under(s), after = Under(*next->second[0]);
-    if (!before || !after || *before == *after) continue;
-    crossings.push_back({*after, *before, plan.vertices[s.to].position.head<2>()});
+namespace {
+
+// Of each segment the one that goes on from its end; none where several do, or none.
+std::vector<std::optional<size_t>> NextOf(const std::vector<RimSegment>& segments) {
+  std::map<int32_t, std::vector<size_t>> leaving;
+  for (size_t i = 0; i < segments.size(); ++i) leaving[segments[i].from].push_back(i);
+  std::vector<std::optional<size_t>> next;
+  for (const RimSegment& s : segments) {
+    const auto at = leaving.find(s.to);
+    const bool is_one = at != leaving.end() && at->second.size() == 1;
+    next.push_back(is_one ? std::optional(at->second[0]) : std::nullopt);
   }
-  return crossings;
+  return next;
+}
+
+}  // namespace
+
+std::vector<ChainPassage> PictureEdges::PassagesOf(const Plan& plan, const PlannedHole& hole) const {
+  const std::vector<RimSegment>& segments = hole.segments;
+  std::vector<std::optional<int32_t>> edge;
+  for (const RimSegment& s : segments) edge.push_back(Under(s));
+  const std::vector<std::optional<size_t>> next = NextOf(segments);
+  const auto is_chain = [&](size_t i) { return edge[i] && chain_[*edge[i]]; };
+  const auto is_outline = [&](size_t i) { return edge[i] && !chain_[*edge[i]]; };
+  // The segment behind outlines of pieces that follow another.
+  const auto behind_outlines = [&](size_t i) {
+    std::optional<size_t> k = next[i];
+    for (size_t steps = 0; k && is_outline(*k); ++steps) k = steps < segments.size() ? next[*k] : std::nullopt;
+    return k;
+  };
+  std::vector<ChainPassage> passages;
+  for (size_t i = 0; i < segments.size(); ++i) {
+    const std::optional<size_t> k = behind_outlines(i);
+    if (!k || (!is_chain(i) && !is_chain(*k)) || is_outline(i)) continue;
+    const int32_t from = segments[i].to, to = segments[*k].from;
+    const bool is_along = k != next[i], crosses = through_.contains(from) && edge[i] != edge[*k];
+    if (!is_along && (!edge[i] || !edge[*k] || !crosses)) continue;
+    const auto place_at = [&](int32_t v) { return Point2(plan.vertices[v].position.head<2>()); };
+    // The hole is walked around against the edges: a chain that comes first begins ahead.
+    ChainPassage& passage = passages.emplace_back();
+    if (is_chain(i)) passage.leaving = {*edge[i], place_at(from)};
+    if (is_chain(*k)) passage.arriving = {*edge[*k], place_at(to)};
+    if (!edge[i]) passage.at_outline = place_at(from);
+    if (!edge[*k]) passage.at_outline = place_at(to);
+  }
+  return passages;
 }
 
 std::optional<int32_t> PictureEdges::Under(const RimSegment& s) const {

@@ -18,7 +18,8 @@ namespace tilemend {
 // by parts of such, between places where edges cross. Holes are walked around against the direction of edges.
 class PictureEdges {
  public:
-  // Of a tile that is in `joint`, whose vertices have the numbers `vertices` in the plan: of JointTiles::records.
+  // Of a tile that is in `joint`, whose vertices have the numbers `vertices` in the plan: of JointTiles::records. The
+  // tiles must outlive it.
   PictureEdges(const JointTiles& joint, CellId cell, const std::vector<int32_t>& vertices);
 
   // Whether a vertex of the plan is one of the tile's own.
@@ -27,8 +28,8 @@ class PictureEdges {
   std::optional<int32_t> Whole(const RimSegment& s) const;
   // The edges that pass at its ends, where these are none of the tile's vertices.
   std::vector<int32_t> AtEnds(const RimSegment& s) const;
-  // Where a hole's boundary passes from one edge to another.
-  std::vector<EdgeCrossing> CrossingsOf(const Plan& plan, const PlannedHole& hole) const;
+  // Where a hole's boundary passes from one chain to another or to the grid lines, over outlines of pieces or at once.
+  std::vector<ChainPassage> PassagesOf(const Plan& plan, const PlannedHole& hole) const;
 
  private:
   // The edge that a segment is, or is a part of.
@@ -36,6 +37,7 @@ class PictureEdges {
   bool Passes(int32_t edge, int32_t v) const;
 
   const SurveyRecord& record_;
+  const std::vector<bool>& chain_;                             // as JointTiles
   std::unordered_map<int32_t, int32_t> own_vertex_;            // plan vertex -> of the record
   std::unordered_map<int32_t, std::vector<int32_t>> through_;  // other plan vertex -> edges of the record there
   std::map<std::pair<int32_t, int32_t>, int32_t> edge_;        // of the record, by its ends

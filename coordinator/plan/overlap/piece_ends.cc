@@ -29,12 +29,13 @@ class ChainWalk {
     double way = 0;  // metres, seen from above
   };
 
-  // From a place on an edge, along the edges or against them; none if no chain ends within `longest`, or one divides.
-  std::optional<End> From(int32_t edge, const Point2& place, bool backward, double longest) const {
+  // From a place, along the edges or against them; none if no chain ends within `longest`, or one divides.
+  std::optional<End> From(const ChainPlace& start, bool backward, double longest) const {
+    const auto& [edge, place] = start;
     if (!boundary_.in_chain[edge]) return std::nullopt;
     End end{VertexAfter(edge, backward), 0};
     end.way = (At(end.vertex) - place).norm();
-    while (end.way <= longest) {
+    for (size_t steps = 0; end.way <= longest && steps < boundary_.record.edges.size(); ++steps) {
       const auto on = (backward ? arriving_ : leaving_).Of(end.vertex);
       if (on.empty()) return end;
       if (on.size() > 1) break;
@@ -69,14 +70,17 @@ class ChainWalk {
 class Matcher {
  public:
   Matcher(const PieceBoundary& boundary, const std::vector<PieceEnd>& ends, double reach)
-      : boundary_(boundary), ends_(ends), reach_(reach), matched_(ends.size(), false) {}
+      : boundary_(boundary), ends_(ends), reach_(reach), matched_(ends.size(), false), at_outline_(ends.size()) {}
 
   PieceMatches Run() {
-    MatchAtCrossings();
+    MatchAtPassages();
     MatchNearest(kNear * reach_);
+    for (size_t i = 0; i < ends_.size(); ++i) {
+      if (!matched_[i] && at_outline_[i]) CountToOutline(i);
+    }
     MatchNearest(2 * (boundary_.record.hi - boundary_.record.lo).norm());
     for (size_t i = 0; i < ends_.size(); ++i) {
-      if (!matched_[i]) matches_.on_outline.push_back(i);
+      if (!matched_[i]) CountToOutline(i);
     }
     return std::move(matches_);
   }
@@ -84,40 +88,47 @@ class Matcher {
  private:
   using EndAt = std::pair<int32_t, bool>;  // as PieceEnd
 
+  // Between ends that are near to it.
   struct Passage {
-    EndAt begin, end;
+    std::optional<EndAt> begin, end;
+    std::optional<Point2> at_outline;
   };
 
-  void MatchAtCrossings() {
+  void MatchAtPassages() {
     std::map<EndAt, std::pair<double, size_t>> nearest;  // the way to a passage, and its number
     std::vector<Passage> passages;
     const ChainWalk chains(boundary_);
-    for (const EdgeCrossing& crossing : boundary_.crossings) {
-      const auto begin = chains.From(crossing.leaving, crossing.place, true, reach_);
-      const auto end = chains.From(crossing.arriving, crossing.place, false, reach_);
-      if (!begin || !end) continue;
-      const Passage passage{{begin->vertex, true}, {end->vertex, false}};
-      KeepNearest(passage.begin, {begin->way, passages.size()}, nearest);
-      KeepNearest(passage.end, {end->way, passages.size()}, nearest);
+    for (const ChainPassage& p : boundary_.passages) {
+      Passage passage{{}, {}, p.at_outline};
+      const auto reach = [&](const std::optional<ChainPlace>& from, bool begins, std::optional<EndAt>& end) {
+        const auto there = from ? chains.From(*from, begins, reach_) : std::nullopt;
+        if (!there) return;
+        end = EndAt{there->vertex, begins};
+        const std::pair way(there->way, passages.size());
+        const auto [it, fresh] = nearest.try_emplace(*end, way);
+        if (!fresh) it->second = std::min(it->second, way);
+      };
+      reach(p.leaving, true, passage.begin);
+      reach(p.arriving, false, passage.end);
       passages.push_back(passage);
     }
     std::map<EndAt, std::vector<size_t>> at;
     for (size_t i = 0; i < ends_.size(); ++i) at[{ends_[i].vertex, ends_[i].begins}].push_back(i);
     for (size_t k = 0; k < passages.size(); ++k) {
-      const auto& [begin, end] = passages[k];
-      if (nearest.at(begin).second != k || nearest.at(end).second != k) continue;
-      const std::vector<size_t>&begins = at[begin], &ends = at[end];
-      if (begins.size() == 1 && ends.size() == 1) Match(begins[0], ends[0]);
+      const auto own = [&](const std::optional<EndAt>& end) -> std::optional<size_t> {
+        if (!end || nearest.at(*end).second != k || at[*end].size() != 1) return std::nullopt;
+        return at[*end][0];
+      };
+      const std::optional<size_t> begin = own(passages[k].begin), end = own(passages[k].end);
+      if (begin && end) Match(*begin, *end);
+      if (!passages[k].at_outline) continue;
+      for (const std::optional<size_t>& i : {begin, end}) {
+        if (i) at_outline_[*i] = passages[k].at_outline;
+      }
     }
   }
 
-  static void KeepNearest(EndAt end, std::pair<double, size_t> passage,
-                          std::map<EndAt, std::pair<double, size_t>>& nearest) {
-    const auto [it, fresh] = nearest.try_emplace(end, passage);
-    if (!fresh) it->second = std::min(it->second, passage);
-  }
-
-  // Those left over, the nearest pairs first.
+  // Those left over, the nearest pairs first, unless the ways of both lead to the outline.
   void MatchNearest(double farthest) {
     for (double reach = kFirst; reach / 2 < farthest; reach *= 2) MatchWithin(std::min(reach, farthest));
   }
@@ -128,6 +139,11 @@ class Matcher {
   void Match(size_t begin, size_t end) {
     matched_[begin] = matched_[end] = true;
     matches_.pairs.emplace_back(begin, end);
+  }
+
+  void CountToOutline(size_t i) {
+    matched_[i] = true;
+    matches_.on_outline.emplace_back(i, at_outline_[i]);
   }
 
   // The pairs no farther apart than `reach`, if all nearer ones are matched: by squares of that size.
@@ -159,7 +175,7 @@ class Matcher {
     const double farthest = std::pow(kNear * reach_, 2);
     for (const size_t end : ends) {
       const double distance = (At(begin) - At(end)).squaredNorm();
-      if (distance > reach * reach) continue;
+      if (distance > reach * reach || (at_outline_[begin] && at_outline_[end])) continue;
       if (distance <= farthest || (!IsOnOutline(begin) && !IsOnOutline(end))) pairs.emplace_back(distance, begin, end);
     }
   }
@@ -168,6 +184,7 @@ class Matcher {
   const std::vector<PieceEnd>& ends_;
   const double reach_;
   std::vector<bool> matched_;
+  std::vector<std::optional<Point2>> at_outline_;  // where the way from an end comes to the tile's outline
   PieceMatches matches_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -11,17 +12,24 @@
 
 namespace tilemend {
 
-// Where the boundary of all pieces together, seen from above, passes from one edge to another.
-struct EdgeCrossing {
-  int32_t arriving = 0, leaving = 0;  // into SurveyRecord::edges: it comes along the one and goes on along the other
+// A place on an edge of a chain.
+struct ChainPlace {
+  int32_t edge = 0;  // into SurveyRecord::edges
   Point2 place{0, 0};
+};
+
+// Where the boundary of all pieces together, seen from above, passes from one chain to another: at once where they
+// cross, or along outlines of pieces; or so from a chain to the outline of the tile, or from there to a chain.
+struct ChainPassage {
+  std::optional<ChainPlace> arriving, leaving;  // it comes along the one and goes on along the other
+  std::optional<Point2> at_outline;             // of the tile: one of both is none
 };
 
 struct PieceBoundary {
   const SurveyRecord& record;
   std::vector<bool> in_chain;    // of each edge: it is in a chain that bounds a hole, and on no outline
   std::vector<bool> on_outline;  // of each vertex: it is on the tile's outline
-  std::vector<EdgeCrossing> crossings;
+  std::vector<ChainPassage> passages;
 };
 
 // A vertex on a piece's outline.
@@ -32,15 +40,17 @@ struct PieceEnd {
 
 struct PieceMatches {
   std::vector<std::pair<size_t, size_t>> pairs;  // where a chain begins, and the one that ends before it
-  std::vector<size_t> on_outline;                // those that have no other: they count to the tile's outline
+  // Those that have no other count to the tile's outline: where the way from them comes to it, if that is told.
+  std::vector<std::pair<size_t, std::optional<Point2>>> on_outline;
 };
 
 // Gives every end its other one. Two chains go together if the boundary passes from one to the other near their ends:
-// pieces overlap by less than `reach`, so a chain runs no farther under another piece. Of several crossings of a chain
-// the one nearest to its end counts. Ends that are left over, as among walls and trees, go with the nearest others,
-// nearest pairs first. Ends on the tile's outline go with such as are near alone, as where pieces and the tile end
-// together. What is left counts to the outline. Cost O(n log n), for each crossing the edges between it and the ends,
-// and for each end those around it that are no nearer to others.
+// pieces overlap by less than `reach`, so a chain runs no farther under another piece. Of several passages of a chain
+// the one nearest to its end counts. Ends near by that are left over, as among walls and trees, go with the nearest
+// others, nearest pairs first. Then ends whose passage leads to the tile's outline count to it, and the rest go with
+// the nearest at any distance. Ends on the tile's outline go with such as are near alone, as where pieces and the tile
+// end together. What is left counts to the outline where it is. Cost O(n log n), for each passage the edges between it
+// and the ends, and for each end those around it that are no nearer to others.
 PieceMatches MatchPieceEnds(const PieceBoundary& boundary, const std::vector<PieceEnd>& ends, double reach);
 
 }  // namespace tilemend

@@ -39,7 +39,7 @@ struct LevelEdge {
 class OutlineFinder {
  public:
   OutlineFinder(const SurveyRecord& record, const PieceLayout& layout)
-      : record_(record), least_(layout.least), reach_(layout.reach) {
+      : record_(record), reach_(layout.reach) {
     turn_ << layout.axis.x(), layout.axis.y(), 0, -layout.axis.y(), layout.axis.x(), 0, 0, 0, 1;
     for (const BoundaryVertex& v : record.vertices) {
       places_.push_back(turn_ * v.position);
@@ -74,7 +74,7 @@ class OutlineFinder {
     const std::vector<OutlineStretch> begins = StretchesAcross(axis, false), ends = StretchesAcross(axis, true);
     std::set<double> planes;
     for (const OutlineStretch& begin : begins) {
-      auto end = std::upper_bound(ends.begin(), ends.end(), begin.place + least_,
+      auto end = std::upper_bound(ends.begin(), ends.end(), begin.place,
                                   [](double place, const OutlineStretch& other) { return place < other.place; });
       for (; end != ends.end() && end->place - begin.place <= reach_; ++end) {
         if (planes.contains(begin.place) && planes.contains(end->place)) continue;
@@ -161,7 +161,7 @@ class OutlineFinder {
   }
 
   const SurveyRecord& record_;
-  const double least_, reach_;
+  const double reach_;
   Eigen::Matrix3d turn_;           // so that the planes lie across the axes
   std::vector<Point3> places_;     // of the record's vertices, turned
   std::vector<AlignedBox3d> box_;  // by piece

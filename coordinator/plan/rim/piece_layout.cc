@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -14,17 +15,18 @@
 namespace tilemend {
 namespace {
 
-// Of the mean length of an edge: how far away the other edge of a pair is looked for.
+// Of the median length of an edge: how far away the other edge of a pair is looked for.
 constexpr double kSearch = 3;
 // How exactly the surfaces at a pair lie opposite each other: the cosine between the ways into them.
 constexpr double kOpposite = -0.8;
-// The pairs agree if their median absolute deviation is at most this share of the search. In exports in pieces, of
-// three sites, it was at most .001, in one whose boundary does not close .03; in tiles of one piece, of four sites, at
-// least .14.
+// The pairs agree if their median absolute deviation is at most this share of the search. In exports in pieces, of two
+// sites, it was at most .001; in tiles of one piece, of four sites, at least .14.
 constexpr double kAgreement = 0.05;
 // Fewer say nothing (as of the places that tell a level, level_evidence.h).
 constexpr int64_t kLeastPairs = 20;
-constexpr size_t kMostAsked = 100;  // pairs: each costs a look at all edges
+constexpr size_t kMostEdges = 4000;         // that are asked for their other one
+constexpr int64_t kMostLooks = 20'000'000;  // at others, in all: some tenths of a second
+constexpr size_t kMostAsked = 100;          // pairs: each costs a look at all edges
 // Standard deviations of a normal distribution in a median absolute deviation; what is farther off than three is none
 // of the usual (Hampel 1974).
 constexpr double kDeviations = 1.4826;
@@ -43,40 +45,54 @@ struct PairedEdge {
 
 class LayoutFinder {
  public:
-  explicit LayoutFinder(const SurveyRecord& record) : record_(record) {
-    double length = 0;
-    std::vector<AlignedBox3d> boxes;
-    for (size_t e = 0; e < record.edges.size(); ++e) {
-      length += LengthOf(e);
-      inward_.push_back(InwardOf(e));
-      boxes.push_back(AlignedBox3d(Begin(e)).extend(End(e)));
-    }
-    search_ = kSearch * length / std::max<double>(1, static_cast<double>(boxes.size()));
-    tree_ = BoxTree(boxes);
-  }
+  explicit LayoutFinder(const SurveyRecord& record) : record_(record) {}
 
-  std::optional<PieceLayout> Run() const {
-    if (!Closes()) return std::nullopt;
-    std::vector<PairedEdge> pairs;
-    for (size_t e = 0; e < record_.edges.size(); ++e) {
-      if (const std::optional<Vector3d> way = WayAcross(e))
-        pairs.push_back({e, LengthOf(e), *way, way->dot(inward_[e])});
-    }
-    if (std::ssize(pairs) < kLeastPairs) return std::nullopt;
+  std::optional<PieceLayout> Run() {
+    if (record_.edges.empty() || !Closes()) return std::nullopt;
+    SetUp();
+    const std::optional<std::vector<PairedEdge>> asked = Pairs();
+    if (!asked || std::ssize(*asked) < kLeastPairs) return std::nullopt;
+    std::vector<PairedEdge> pairs = *asked;
     const double usual = MedianOver(pairs, [](double overlap) { return overlap; });
-    if (usual < -kMeetTolerance) return std::nullopt;
+    if (usual <= kMeetTolerance) return std::nullopt;
     const auto off = [&](double overlap) { return std::abs(overlap - usual); };
     const double deviation = MedianOver(pairs, off);
     if (deviation > kAgreement * search_) return std::nullopt;
     const double slack = std::max(3 * kDeviations * deviation, kMeetTolerance);
     std::erase_if(pairs, [&](const PairedEdge& pair) { return off(pair.overlap) > slack; });
-    if (usual > kMeetTolerance && !LieOnEachOther(pairs)) return std::nullopt;
+    if (!LieOnEachOther(pairs)) return std::nullopt;
     const double direction = DirectionOf(pairs);
-    return PieceLayout{
-        std::min(0.0, usual - slack), 3 * std::max(std::abs(usual), slack), {std::cos(direction), std::sin(direction)}};
+    return PieceLayout{3 * std::max(usual, slack), {std::cos(direction), std::sin(direction)}};
   }
 
  private:
+  void SetUp() {
+    std::vector<AlignedBox3d> boxes;
+    std::vector<double> lengths;
+    for (size_t e = 0; e < record_.edges.size(); ++e) {
+      lengths.push_back(LengthOf(e));
+      inward_.push_back(InwardOf(e));
+      boxes.push_back(AlignedBox3d(Begin(e)).extend(End(e)));
+    }
+    std::ranges::nth_element(lengths, lengths.begin() + std::ssize(lengths) / 2);
+    search_ = kSearch * lengths[lengths.size() / 2];
+    tree_ = BoxTree(boxes);
+  }
+
+  // Of some edges all over the boundary; none if there are too many others around them.
+  std::optional<std::vector<PairedEdge>> Pairs() const {
+    std::vector<PairedEdge> pairs;
+    int64_t looks = 0;
+    const size_t step = std::max<size_t>(1, record_.edges.size() / kMostEdges);
+    for (size_t e = 0; e < record_.edges.size(); e += step) {
+      if (const std::optional<Vector3d> way = WayAcross(e, looks)) {
+        pairs.push_back({e, LengthOf(e), *way, way->dot(inward_[e])});
+      }
+      if (looks > kMostLooks) return std::nullopt;
+    }
+    return pairs;
+  }
+
   const Point3& Begin(size_t e) const { return record_.vertices[record_.edges[e].from].position; }
   const Point3& End(size_t e) const { return record_.vertices[record_.edges[e].to].position; }
   double LengthOf(size_t e) const { return (End(e) - Begin(e)).norm(); }
@@ -104,12 +120,13 @@ class LayoutFinder {
   }
 
   // From the middle of an edge to the nearest edge whose surface lies on the other side; none if no such edge is near.
-  std::optional<Vector3d> WayAcross(size_t e) const {
+  std::optional<Vector3d> WayAcross(size_t e, int64_t& looks) const {
     const Point3 middle = (Begin(e) + End(e)) / 2;
     const Vector3d reach = Vector3d::Constant(search_);
     std::optional<Vector3d> nearest;
     tree_.AnyMeeting({middle - reach, middle + reach}, [&](int32_t number) {
       const auto other = static_cast<size_t>(number);
+      if (++looks > kMostLooks) return true;
       if (other == e || inward_[e].dot(inward_[other]) > kOpposite || Touch(e, other)) return false;
       const Vector3d along = End(other) - Begin(other);
       const double share = std::clamp((middle - Begin(other)).dot(along) / along.squaredNorm(), 0.0, 1.0);
@@ -153,13 +170,19 @@ class LayoutFinder {
   // Of the upright planes that most of the edges lie in: the angle of one to the x axis. Long edges tell it best.
   double DirectionOf(const std::vector<PairedEdge>& pairs) const {
     constexpr double kQuarter = std::numbers::pi / 2;
-    double direction = 0;
+    const auto way_of = [&](const PairedEdge& pair) { return Point2((End(pair.edge) - Begin(pair.edge)).head<2>()); };
+    std::complex<double> mean = 0;  // of directions to a quarter turn
+    for (const PairedEdge& pair : pairs) {
+      const Point2 way = way_of(pair);
+      mean += way.squaredNorm() * std::polar(1.0, 4 * std::atan2(way.y(), way.x()));
+    }
+    double direction = std::arg(mean) / 4;
     for (double within = kQuarter; within > kFinestAngle; within /= 4) {
       std::vector<std::pair<double, double>> turns;
       for (const PairedEdge& pair : pairs) {
-        const Vector3d way = End(pair.edge) - Begin(pair.edge);
+        const Point2 way = way_of(pair);
         const double turn = std::remainder(std::atan2(way.y(), way.x()) - direction, kQuarter);
-        if (std::abs(turn) <= within) turns.emplace_back(turn, way.head<2>().squaredNorm());
+        if (std::abs(turn) <= within) turns.emplace_back(turn, way.squaredNorm());
       }
       direction += WeightedMedian(std::move(turns)).value_or(0);
     }

@@ -207,6 +207,7 @@ struct LeftOpen {
 // Of a plan, for the report alone.
 struct PlanRemarks {
   bool has_polygon = false;  // PlanInput::area is not empty
+  double turn = 0;           // radians: the tiles' outlines against the grid (rim/outline_turn.h)
   double piece_reach = 0;    // metres: a scene of one tile whose pieces overlap by less than this; 0: it is one piece
 };
 

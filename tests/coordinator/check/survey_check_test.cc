@@ -94,6 +94,9 @@ TEST(SurveyCheckTest, EdgesMayBeDoubleWhereTrianglesAre) {
     SurveyRecord thrice = record;
     thrice.edges.push_back(record.edges[e]);
     EXPECT_FALSE(CheckSurvey(thrice, kMost).ok()) << e;
+    SurveyRecord less = record;
+    less.edges.erase(less.edges.begin() + static_cast<ptrdiff_t>(e));
+    EXPECT_FALSE(CheckSurvey(less, kMost).ok()) << e;
   }
 }
 

@@ -81,6 +81,12 @@ TEST(PlanWarningsTest, SaysThatNoHoleLiesInTheArea) {
   EXPECT_THAT(PlanWarnings(plan), IsEmpty());
 }
 
+TEST(PlanWarningsTest, SaysHowFarTilesAreTurned) {
+  Plan plan;
+  plan.remarks.turn = 0.0178;
+  EXPECT_THAT(PlanWarnings(plan), ElementsAre(HasSubstr("turned by 1.02 degrees")));
+}
+
 // A river over holes 0 and 1; hole 2 lies beyond the seam from vertex 1 to 2, and a lake in hole 3 touches it at
 // vertex 5.
 Plan RiverToTheRim() {

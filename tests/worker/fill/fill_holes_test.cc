@@ -200,6 +200,16 @@ TEST_P(FillHolesTest, FillsAHoleInTheGroundAsAnOpenOne) {
   EXPECT_EQ(closed.triangles, open.triangles);
 }
 
+TEST_P(FillHolesTest, AFacadeThatReachesTheGroundIsNoHoleInIt) {
+  CellHoles work = MovedWork(HoleOf(kHoleWithIsland, Waves), Upend);
+  const HolePatch before = Fill(work);
+  work.holes[0].in_ground = true;
+  const HolePatch patch = Fill(work);
+  ExpectClosesHole(work, work.holes[0], patch);
+  EXPECT_EQ(patch.new_points, before.new_points);
+  EXPECT_EQ(patch.triangles, before.triangles);
+}
+
 TEST_P(FillHolesTest, LeavesAnIslandInTheHole) {
   const CellHoles work = HoleOf(kHoleWithIsland);
   const HolePatch patch = Fill(work);

@@ -48,6 +48,12 @@ bool HasFold(const LocalHole& hole, int32_t v) {
   });
 }
 
+// A hole in a facade faces sideways, even if it reaches the ground.
+bool FacesUp(const Vector3d& area) {
+  constexpr double kFacesUp = 0.5;  // cosine
+  return area.z() > kFacesUp * area.norm();
+}
+
 }  // namespace
 
 bool LocalHole::MayJoin(int32_t a, int32_t b) const {
@@ -122,7 +128,7 @@ LocalHole MakeLocalHole(const CellHoles& cell, const CellBand& band, const CellH
   local.walls = hole.walls;
   local.level = hole.level;
   local.river = hole.river;
-  local.in_ground = hole.in_ground;
+  local.in_ground = hole.in_ground && FacesUp(local.VectorArea());
   local.own_outline = hole.own_outline;
   local.normals.assign(local.vertices.size(), Vector3d::Zero());
   if (hole.open) return local;

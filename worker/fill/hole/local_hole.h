@@ -29,7 +29,7 @@ struct LocalHole {
   std::optional<double> tension, level;  // likewise
   GroundTrend walls;                     // likewise
   WaterSurface river;                    // likewise
-  bool in_ground = false;                // likewise
+  bool in_ground = false;                // likewise, and the hole faces up
   bool own_outline = false;              // likewise
 
   // One for each vertex.

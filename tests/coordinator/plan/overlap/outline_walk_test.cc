@@ -145,6 +145,26 @@ TEST(OutlineWalkTest, ChainsOfOverlappingPiecesAreNotTakenCrosswise) {
   EXPECT_EQ(ends, (std::set<std::pair<int32_t, int32_t>>{{7, 9}, {3, 0}}));
 }
 
+// A river's end. The west and the north are there, and the south-eastern piece up to its outline at y = 5.2, along
+// which the way from the northern shore comes to the tile's outline: the gap begins there, not straight ahead.
+TEST(OutlineWalkTest, AGapBeginsWhereTheOutlineOfThePieceLeads) {
+  PieceRings tile;
+  tile.Add({{0, 0}, {10.2, 0}, {10.2, 10}, {0, 10}}, "opoo");
+  tile.Add({{9.8, 0}, {20, 0}, {20, 5.2}, {9.8, 5.2}}, "oopp");
+  tile.Add({{9.8, 8}, {20, 8}, {20, 10}, {9.8, 10}}, "coop");
+  std::vector<bool> taken;
+  for (const char kind : tile.kinds) taken.push_back(kind != 'p');
+  constexpr Outline kWide{{0, 20, 0, 10}};
+  const ChainPassage passage{{}, ChainPlace{8, {10.2, 8}}, Point2(20, 5.2)};
+  const OutlineWalk walk = WalkOutline(tile.record, taken, kWide, 0.6, {passage});
+  ASSERT_THAT(walk.gaps, SizeIs(1));
+  EXPECT_EQ(walk.gaps[0].from, tile.At(9.8, 8));
+  EXPECT_EQ(walk.gaps[0].to, tile.At(20, 8));
+  EXPECT_TRUE(walk.gaps[0].open);
+  EXPECT_EQ(walk.gaps[0].begin, 25.2);
+  EXPECT_EQ(walk.gaps[0].end, 28);
+}
+
 // Two pieces end at a lake one beside the other, the eastern one under the other; the way along the lake is the open
 // one, not that between the two.
 TEST(OutlineWalkTest, AShortWayInALongOneLeavesThatOpen) {

@@ -33,6 +33,7 @@ struct CrossingEdges {
     record->edges = {{0, 1}, {2, 3}};
     joint.own[kCell] = std::move(record);
     joint.edges_through[kCell] = {{0, 1}};
+    joint.chain[kCell] = {true, true};
     hole.segments = {{11, 14, false}, {14, 12, false}, {12, 11, false}};
   }
 
@@ -41,23 +42,52 @@ struct CrossingEdges {
 
 TEST(PictureEdgesTest, TellsWhereAHolePassesFromOneEdgeToAnother) {
   const CrossingEdges scene;
-  const std::vector<EdgeCrossing> crossings = scene.Edges().CrossingsOf(scene.plan, scene.hole);
-  ASSERT_EQ(crossings.size(), 1U);
-  EXPECT_EQ(crossings[0].arriving, 1);
-  EXPECT_EQ(crossings[0].leaving, 0);
-  EXPECT_EQ(crossings[0].place, Point2(2, 0));
+  const std::vector<ChainPassage> passages = scene.Edges().PassagesOf(scene.plan, scene.hole);
+  ASSERT_EQ(passages.size(), 1U);
+  EXPECT_EQ(passages[0].arriving->edge, 1);
+  EXPECT_EQ(passages[0].leaving->edge, 0);
+  EXPECT_EQ(passages[0].arriving->place, Point2(2, 0));
+  EXPECT_EQ(passages[0].leaving->place, Point2(2, 0));
+  EXPECT_FALSE(passages[0].at_outline);
 }
 
 TEST(PictureEdgesTest, AHoleThatGoesOnAlongAnEdgePassesToNone) {
   CrossingEdges scene;
   scene.hole.segments = {{11, 14, false}, {14, 10, false}, {10, 11, false}};
-  EXPECT_THAT(scene.Edges().CrossingsOf(scene.plan, scene.hole), IsEmpty());
+  EXPECT_THAT(scene.Edges().PassagesOf(scene.plan, scene.hole), IsEmpty());
+}
+
+// The second edge is on the outline of a piece, which ends at the grid line, where another tile's vertex 15 lies.
+TEST(PictureEdgesTest, TellsWhereAWayAlongAnOutlineComesToTheGridLine) {
+  CrossingEdges scene;
+  scene.joint.chain[kCell] = {true, false};
+  scene.plan.vertices.emplace_back().position = Point3(5, -2, 0);
+  scene.hole.segments = {{11, 14, false}, {14, 12, false}, {12, 15, false}};
+  const std::vector<ChainPassage> passages = scene.Edges().PassagesOf(scene.plan, scene.hole);
+  ASSERT_EQ(passages.size(), 1U);
+  EXPECT_FALSE(passages[0].arriving);
+  EXPECT_EQ(passages[0].leaving->edge, 0);
+  EXPECT_EQ(passages[0].leaving->place, Point2(2, 0));
+  EXPECT_EQ(passages[0].at_outline, Point2(2, -2));
+}
+
+TEST(PictureEdgesTest, TellsWhereAWayAlongAnOutlineComesFromTheGridLine) {
+  CrossingEdges scene;
+  scene.joint.chain[kCell] = {false, true};
+  scene.plan.vertices.emplace_back().position = Point3(5, -2, 0);
+  scene.hole.segments = {{15, 11, false}, {11, 14, false}, {14, 12, false}};
+  const std::vector<ChainPassage> passages = scene.Edges().PassagesOf(scene.plan, scene.hole);
+  ASSERT_EQ(passages.size(), 1U);
+  EXPECT_FALSE(passages[0].leaving);
+  EXPECT_EQ(passages[0].arriving->edge, 1);
+  EXPECT_EQ(passages[0].arriving->place, Point2(2, 0));
+  EXPECT_EQ(passages[0].at_outline, Point2(4, 0));
 }
 
 TEST(PictureEdgesTest, ASeamIsNoEdge) {
   CrossingEdges scene;
   scene.hole.segments[1].seam = true;
-  EXPECT_THAT(scene.Edges().CrossingsOf(scene.plan, scene.hole), IsEmpty());
+  EXPECT_THAT(scene.Edges().PassagesOf(scene.plan, scene.hole), IsEmpty());
 }
 
 TEST(PictureEdgesTest, TellsWholeEdgesAndThoseAtTheEndsOfParts) {

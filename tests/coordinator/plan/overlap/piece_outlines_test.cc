@@ -13,14 +13,14 @@ namespace {
 const std::vector<std::string> kWhole(20, std::string(20, '#'));
 
 int64_t CountOutlines(const SurveyRecord& record, double reach) {
-  const std::vector<bool> found = FindPieceOutlines(record, {0, reach});
+  const std::vector<bool> found = FindPieceOutlines(record, {reach});
   return std::count(found.begin(), found.end(), true);
 }
 
 TEST(PieceOutlinesTest, AreWhereOnePieceEndsAndAnotherBegins) {
   const SurveyedScene scene = OverlappingScene(kWhole, 20, 0.1, 2);
   const SurveyRecord& record = scene.records.begin()->second;
-  const std::vector<bool> found = FindPieceOutlines(record, {0, 0.6});
+  const std::vector<bool> found = FindPieceOutlines(record, {0.6});
   for (size_t e = 0; e < found.size(); ++e) {
     const Point3 &a = record.vertices[record.edges[e].from].position, &b = record.vertices[record.edges[e].to].position;
     const auto inner = [&](int k) {
@@ -86,7 +86,7 @@ SurveyRecord JoinedWall(double overlap) {
 
 TEST(PieceOutlinesTest, AreFoundWherePiecesAreJoinedBeyond) {
   const SurveyRecord record = JoinedWall(0.1);
-  const std::vector<bool> found = FindPieceOutlines(record, {0, 0.3});
+  const std::vector<bool> found = FindPieceOutlines(record, {0.3});
   EXPECT_EQ(std::ranges::count(found, true), 40);
   EXPECT_FALSE(found[40] || found[41]) << "where the wall itself ends";
   EXPECT_EQ(CountOutlines(JoinedWall(0.5), 0.3), 0) << "too far apart";
@@ -113,7 +113,7 @@ TEST(PieceOutlinesTest, AreNotSingleEdges) {
   };
   add({Point3(0, 0, 11.442), Point3(1.5, 0.1, 11.442), Point3(0.7, 1.2, 11.5)}, 0);
   add({Point3(0.7, 1.2, 11.5), Point3(2.2, 1.3, 11.5), Point3(1.5, 2.4, 11.3)}, 1);
-  EXPECT_EQ(std::ranges::count(FindPieceOutlines(record, {0, 0.2}), true), 0);
+  EXPECT_EQ(std::ranges::count(FindPieceOutlines(record, {0.2}), true), 0);
 }
 
 }  // namespace
