@@ -97,9 +97,9 @@ TEST(ReviewTextTest, SaysEachReasonOnceAsThePageDoes) {
   EXPECT_EQ(ReviewText(report),
             "\n2 fills to decide on\n"
             "hole  cell  centre, m  area, m2  taken for  doubt, m3  because\n"
-            "   1                    unknown  ground                "
+            "   1                   -         ground                "
             "[1] its rim is too short: 13 places tell its level, 20 are needed; it is large\n"
-            "   2                    unknown  ground                [1] 11 places tell its level\n");
+            "   2                   -         ground                [1] 11 places tell its level\n");
 }
 
 TEST(ReviewTextTest, RowsOfOneClusterBelongTogetherWhicheverHoleNamesThem) {

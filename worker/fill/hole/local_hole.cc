@@ -50,7 +50,7 @@ bool HasFold(const LocalHole& hole, int32_t v) {
 
 // A hole in a facade faces sideways, even if it reaches the ground.
 bool FacesUp(const Vector3d& area) {
-  constexpr double kFacesUp = 0.5;  // cosine
+  constexpr double kFacesUp = 0.2;  // cosine; as closed holes of a plan (closed_loops.cc)
   return area.z() > kFacesUp * area.norm();
 }
 
