@@ -42,7 +42,7 @@ class OutlineFinder {
       : record_(record), reach_(layout.reach) {
     turn_ << layout.axis.x(), layout.axis.y(), 0, -layout.axis.y(), layout.axis.x(), 0, 0, 0, 1;
     for (const BoundaryVertex& v : record.vertices) {
-      places_.push_back(turn_ * v.position);
+      places_.emplace_back(turn_ * v.position);
     }
     for (size_t e = 0; e < record.edges.size(); ++e) {
       const auto piece = static_cast<size_t>(record.edges[e].piece);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -13,22 +14,23 @@ constexpr double kIsPart = 0.5;   // of a hole
 
 }  // namespace
 
+double SlopeOf(const Plan& plan, const PlannedHole& hole) {
+  Eigen::Vector3d area = Eigen::Vector3d::Zero();
+  const Point3 origin = plan.vertices[hole.segments[0].from].position;
+  for (const RimSegment& s : hole.segments) {
+    area += (plan.vertices[s.from].position - origin).cross(plan.vertices[s.to].position - origin);
+  }
+  return std::atan2(area.head<2>().norm(), area.z());
+}
+
 std::vector<std::vector<int32_t>> GroupHoles(const Plan& plan) {
-  const auto faces_up = [&](const PlannedHole& hole) {
-    Eigen::Vector3d area = Eigen::Vector3d::Zero();
-    const Point3 origin = plan.vertices[hole.segments[0].from].position;
-    for (const RimSegment& s : hole.segments) {
-      area += (plan.vertices[s.from].position - origin).cross(plan.vertices[s.to].position - origin);
-    }
-    return area.z() > kFacesUp * area.norm();
-  };
   std::vector<std::vector<int32_t>> groups;
   std::map<int32_t, size_t> group_of_cluster;
   for (size_t h = 0; h < plan.holes.size(); ++h) {
     const PlannedHole& hole = plan.holes[h];
     if (!hole.failure.empty()) continue;
     if (hole.kind == HoleKind::kClosed) {
-      if (plan.upright && faces_up(hole)) groups.push_back({static_cast<int32_t>(h)});
+      if (plan.upright && std::cos(SlopeOf(plan, hole)) > kFacesUp) groups.push_back({static_cast<int32_t>(h)});
       continue;
     }
     const auto [it, fresh] = group_of_cluster.try_emplace(hole.cluster, groups.size());

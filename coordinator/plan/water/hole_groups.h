@@ -11,6 +11,9 @@
 
 namespace tilemend {
 
+// The angle between a hole and the horizontal, by its vector area, radians: 0 where it is level, pi / 2 in a facade.
+double SlopeOf(const Plan& plan, const PlannedHole& hole);
+
 // The clusters of open holes, and the closed holes that face up; each in order of their first hole. Holes
 // that can't be filled are in none. Cost O(n log n) in the plan's holes and segments.
 std::vector<std::vector<int32_t>> GroupHoles(const Plan& plan);

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -125,6 +126,7 @@ class WaterFinder {
     std::ranges::sort(bodies_, {}, [](const WaterBody& body) { return body.holes.front(); });
     for (WaterBody& body : bodies_) StoreBody(std::move(body));
     for (Group& group : groups_) StoreEvidence(std::move(group));
+    StoreSlopes();
     if (!known_.bodies.empty()) HoldLevelAtEdges(plan_);
   }
 
@@ -294,6 +296,18 @@ class WaterFinder {
     if (!group.is_judged) return;
     for (const int32_t h : group.holes) plan_.holes[h].evidence = static_cast<int32_t>(plan_.evidence.size());
     plan_.evidence.push_back(std::move(group.evidence));
+  }
+
+  // Large holes on slopes are no water, and need no test.
+  void StoreSlopes() {
+    for (PlannedHole& hole : plan_.holes) {
+      if (!plan_.upright || !hole.failure.empty() || hole.evidence >= 0 || hole.kind != HoleKind::kClosed) continue;
+      const double slope = SlopeOf(plan_, hole);
+      if (hole.area < options_.profile.least_level || slope >= std::numbers::pi / 2) continue;
+      hole.evidence = static_cast<int32_t>(plan_.evidence.size());
+      plan_.evidence.push_back({.reason = "it lies on a slope of " +
+                                          std::to_string(std::lround(slope * 180 / std::numbers::pi)) + " degrees"});
+    }
   }
 
   const PlanInput& input_;

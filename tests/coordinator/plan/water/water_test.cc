@@ -365,5 +365,18 @@ TEST(WaterOfMeshesTest, AFewRimVerticesTellTooLittle) {
   EXPECT_EQ(pond.water[0].level, 1.5);
 }
 
+// Every large hole has words on what it was taken for.
+TEST(SlopeTest, AHoleOnASlopeIsNoWater) {
+  std::vector<std::string> picture(20, std::string(20, '#'));
+  for (size_t row = 4; row < 16; ++row) picture[row].replace(4, 12, std::string(12, '.'));
+  const SurveyedScene scene = PictureScene(picture, 20, [](double x, double) { return 0.9 * x; });
+  const Plan plan = MakePlan(scene.Input(), {});
+  ASSERT_THAT(plan.holes, SizeIs(1));
+  ASSERT_EQ(plan.holes[0].evidence, 0);
+  EXPECT_EQ(plan.evidence[0].verdict, HoleEvidence::Verdict::kNoWater);
+  EXPECT_EQ(plan.evidence[0].reason, "it lies on a slope of 42 degrees");
+  EXPECT_FALSE(plan.evidence[0].has_level);
+}
+
 }  // namespace
 }  // namespace tilemend
