@@ -111,6 +111,18 @@ void MarkWalls(const WaterBody& body, Plan& plan) {
   });
 }
 
+// Large holes on slopes are no water, and need no test.
+void JudgeSlopes(const WaterProfile& profile, Plan& plan) {
+  for (PlannedHole& hole : plan.holes) {
+    if (!plan.upright || !hole.failure.empty() || hole.evidence >= 0 || hole.kind != HoleKind::kClosed) continue;
+    const double slope = SlopeOf(plan, hole);
+    if (hole.area < profile.least_level || slope >= std::numbers::pi / 2) continue;
+    const std::string degrees = std::to_string(std::lround(slope * 180 / std::numbers::pi));
+    hole.evidence = static_cast<int32_t>(plan.evidence.size());
+    plan.evidence.push_back({.reason = "it lies on a slope of " + degrees + " degrees"});
+  }
+}
+
 class WaterFinder {
  public:
   WaterFinder(const PlanInput& input, const WaterOptions& options, KnownWater known, Plan& plan,
@@ -126,7 +138,7 @@ class WaterFinder {
     std::ranges::sort(bodies_, {}, [](const WaterBody& body) { return body.holes.front(); });
     for (WaterBody& body : bodies_) StoreBody(std::move(body));
     for (Group& group : groups_) StoreEvidence(std::move(group));
-    StoreSlopes();
+    JudgeSlopes(options_.profile, plan_);
     if (!known_.bodies.empty()) HoldLevelAtEdges(plan_);
   }
 
@@ -296,18 +308,6 @@ class WaterFinder {
     if (!group.is_judged) return;
     for (const int32_t h : group.holes) plan_.holes[h].evidence = static_cast<int32_t>(plan_.evidence.size());
     plan_.evidence.push_back(std::move(group.evidence));
-  }
-
-  // Large holes on slopes are no water, and need no test.
-  void StoreSlopes() {
-    for (PlannedHole& hole : plan_.holes) {
-      if (!plan_.upright || !hole.failure.empty() || hole.evidence >= 0 || hole.kind != HoleKind::kClosed) continue;
-      const double slope = SlopeOf(plan_, hole);
-      if (hole.area < options_.profile.least_level || slope >= std::numbers::pi / 2) continue;
-      hole.evidence = static_cast<int32_t>(plan_.evidence.size());
-      plan_.evidence.push_back({.reason = "it lies on a slope of " +
-                                          std::to_string(std::lround(slope * 180 / std::numbers::pi)) + " degrees"});
-    }
   }
 
   const PlanInput& input_;
