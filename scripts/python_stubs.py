@@ -12,7 +12,7 @@ import sys
 
 BIN, PACKAGE = (os.path.abspath(path) for path in sys.argv[1:3])
 FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), 'python', 'tilemend')
-NUMBERS = {'X', 'N', 'EDGES'}  # placeholders of the reference
+NUMBERS = {'X', 'N', 'EDGES'}  # names of values in the reference
 PATHS = {'FILE', 'DIR'}
 HEAD = '# Written by scripts/python_stubs.py; a test holds it to the programs.\n'
 

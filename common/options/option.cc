@@ -64,7 +64,7 @@ std::string FlagOf(const Option& option) { return absl::StrReplaceAll(option.fie
 std::string ValueShown(const Option& option) {
   if (option.words.size() > kMaxWordsShown) return "NAME";
   std::vector<std::string> parts = option.words;
-  if (option.placeholder[0] != 0) parts.emplace_back(option.placeholder);
+  if (option.value_name[0] != 0) parts.emplace_back(option.value_name);
   return absl::StrJoin(parts, "|");
 }
 

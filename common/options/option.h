@@ -43,11 +43,11 @@ struct Option {
   const char* field;  // of v1::JobSpec; the flag has its name, with - for _
   OptionType type = OptionType::kSwitch;
   std::vector<std::string> words = {};  // that may be given
-  const char* placeholder = "";         // of any other value: "X", "FILE"
+  const char* value_name = "";          // of any other value: "X", "FILE"
   double min = 0, max = 0;
-  std::string default_value = "";  // as on the command line; "" if there is none to show
+  std::string default_value = {};  // as on the command line; "" if there is none to show
   const char* unit = "";           // of a number; "" if it has none
-  std::string help = "";           // what it does: no range, no default
+  std::string help = {};           // what it does: no range, no default
   FlagGroup group = FlagGroup::kAdvanced;
   OptionNeeds needs = OptionNeeds::kNothing;
   unsigned commands = kOfJobs;

@@ -22,9 +22,9 @@ inline constexpr char kSceneMember[] = "tilemend_scene";
 nlohmann::ordered_json SceneMemberOf(const Scene& scene);
 
 // kInvalidArgument, naming both scenes and what differs, if the file with these bytes has the member, and its CRS or
-// its grid is not that of the scene. The same, with the line, if the member is neither an object nor null. A warning if the name of the folder alone differs, as where it was renamed or
-// mounted in a container. Else empty, also if the file is no JSON or does not have the member. `file` names it. Cost
-// O(bytes); no list of the file is kept in memory.
+// its grid is not that of the scene. The same, with the line, if the member is neither an object nor null. A warning if
+// the name of the folder alone differs, as where it was renamed or mounted in a container. Else empty, also if the file
+// is no JSON or does not have the member. `file` names it. Cost O(bytes); no list of the file is kept in memory.
 absl::StatusOr<std::string> CheckSceneMember(const std::string& bytes, const std::string& file, const Scene& scene);
 
 }  // namespace tilemend

@@ -28,7 +28,8 @@ class PictureEdges {
   std::optional<int32_t> Whole(const RimSegment& s) const;
   // The edges that pass at its ends, where these are none of the tile's vertices.
   std::vector<int32_t> AtEnds(const RimSegment& s) const;
-  // Where a hole's boundary passes from one chain to another or to the grid lines, over outlines of pieces or at once.
+  // Where a hole's boundary passes from one chain to another, at once or along outlines of pieces; and where it comes
+  // to a grid line, or from one, along outlines.
   std::vector<ChainPassage> PassagesOf(const Plan& plan, const PlannedHole& hole) const;
 
  private:

@@ -38,12 +38,9 @@ struct LevelEdge {
 
 class OutlineFinder {
  public:
-  OutlineFinder(const SurveyRecord& record, const PieceLayout& layout)
-      : record_(record), reach_(layout.reach) {
+  OutlineFinder(const SurveyRecord& record, const PieceLayout& layout) : record_(record), reach_(layout.reach) {
     turn_ << layout.axis.x(), layout.axis.y(), 0, -layout.axis.y(), layout.axis.x(), 0, 0, 0, 1;
-    for (const BoundaryVertex& v : record.vertices) {
-      places_.emplace_back(turn_ * v.position);
-    }
+    for (const BoundaryVertex& v : record.vertices) places_.emplace_back(turn_ * v.position);
     for (size_t e = 0; e < record.edges.size(); ++e) {
       const auto piece = static_cast<size_t>(record.edges[e].piece);
       if (piece >= box_.size()) box_.resize(piece + 1);

@@ -10,11 +10,11 @@
 namespace tilemend {
 
 // For each boundary edge of a tile: whether it is on the outline of a piece, beyond which another piece goes on. Such
-// are no rims of holes. Pieces are leaves of an octree, of any sizes. Each ends at planes across the axes (upright ones
-// and level ones), and the next begins at most `layout.reach` metres before. A plane is taken for an outline if one
-// piece ends and another begins there along some length of boundary. Pieces that share vertices elsewhere count as one;
-// their outlines are told by boundaries that run along each other. Cost O(n log n), and for each pair of such planes
-// the product of their edges.
+// are no rims of holes. Pieces are leaves of an octree, of any sizes. Each ends at planes across the axes of the layout
+// (upright ones and level ones), and the next begins at most `layout.reach` metres before. A plane is taken for an
+// outline if one piece ends and another begins there along some length of boundary. Pieces that share vertices
+// elsewhere count as one; their outlines are told by boundaries that run along each other. Cost O(n log n), and for
+// each pair of such planes the product of their edges.
 std::vector<bool> FindPieceOutlines(const SurveyRecord& record, const PieceLayout& layout);
 
 }  // namespace tilemend

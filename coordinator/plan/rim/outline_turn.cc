@@ -11,8 +11,8 @@
 namespace tilemend {
 namespace {
 
-constexpr double kMostConvergence =
-    0.2;                             // radians: what is farther off, as the diagonals of a raster, is no convergence
+// Radians: what is farther off, as the diagonals of a raster, is no convergence of meridians.
+constexpr double kMostConvergence = 0.2;
 constexpr double kTurnStep = 1e-3;   // radians: three of them are wider than what rounding turns edges by
 constexpr double kLeastAlong = 0.1;  // of a boundary: it lies along outlines
 

@@ -20,7 +20,7 @@ constexpr double kSearch = 3;
 // How exactly the surfaces at a pair lie opposite each other: the cosine between the ways into them.
 constexpr double kOpposite = -0.8;
 // The pairs agree if their median absolute deviation is at most this share of the search. In exports in pieces, of two
-// sites, it was at most .001; in tiles of one piece, of four sites, at least .14.
+// sites, it was at most .001; in tiles of one piece, of four sites, at least .14. This lies between.
 constexpr double kAgreement = 0.05;
 // Fewer say nothing (as of the places that tell a level, level_evidence.h).
 constexpr int64_t kLeastPairs = 20;
@@ -38,7 +38,6 @@ using Eigen::Vector3d;
 // An edge of a pair.
 struct PairedEdge {
   size_t edge = 0;
-  double length = 0;
   Vector3d way{0, 0, 0};  // from its middle to the other edge
   double overlap = 0;     // how far its surface goes on beyond the other edge; negative: how far before it ends
 };
@@ -50,9 +49,8 @@ class LayoutFinder {
   std::optional<PieceLayout> Run() {
     if (record_.edges.empty() || !Closes()) return std::nullopt;
     SetUp();
-    const std::optional<std::vector<PairedEdge>> asked = Pairs();
-    if (!asked || std::ssize(*asked) < kLeastPairs) return std::nullopt;
-    std::vector<PairedEdge> pairs = *asked;
+    std::vector<PairedEdge> pairs = Pairs();
+    if (std::ssize(pairs) < kLeastPairs) return std::nullopt;
     const double usual = MedianOver(pairs, [](double overlap) { return overlap; });
     if (usual <= kMeetTolerance) return std::nullopt;
     const auto off = [&](double overlap) { return std::abs(overlap - usual); };
@@ -80,15 +78,15 @@ class LayoutFinder {
   }
 
   // Of some edges all over the boundary; none if there are too many others around them.
-  std::optional<std::vector<PairedEdge>> Pairs() const {
+  std::vector<PairedEdge> Pairs() const {
     std::vector<PairedEdge> pairs;
     int64_t looks = 0;
     const size_t step = std::max<size_t>(1, record_.edges.size() / kMostEdges);
     for (size_t e = 0; e < record_.edges.size(); e += step) {
       if (const std::optional<Vector3d> way = WayAcross(e, looks)) {
-        pairs.push_back({e, LengthOf(e), *way, way->dot(inward_[e])});
+        pairs.push_back({e, *way, way->dot(inward_[e])});
       }
-      if (looks > kMostLooks) return std::nullopt;
+      if (looks > kMostLooks) return {};
     }
     return pairs;
   }
@@ -160,10 +158,11 @@ class LayoutFinder {
     return winding;
   }
 
+  // Of a value of the overlaps; a long edge counts more. Precondition: there are pairs.
   template <typename Value>
-  static double MedianOver(const std::vector<PairedEdge>& pairs, const Value& value) {
+  double MedianOver(const std::vector<PairedEdge>& pairs, const Value& value) const {
     std::vector<std::pair<double, double>> values;
-    for (const PairedEdge& pair : pairs) values.emplace_back(value(pair.overlap), pair.length);
+    for (const PairedEdge& pair : pairs) values.emplace_back(value(pair.overlap), LengthOf(pair.edge));
     return *WeightedMedian(std::move(values));
   }
 

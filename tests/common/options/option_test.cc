@@ -11,7 +11,7 @@ using testing::HasSubstr;
 const Option kNumber = {.field = "size_limit",
                         .type = OptionType::kNumber,
                         .words = {"auto"},
-                        .placeholder = "X",
+                        .value_name = "X",
                         .min = 1,
                         .max = 1e6,
                         .default_value = "auto",
