@@ -5,7 +5,7 @@
 namespace tilemend {
 
 PictureEdges::PictureEdges(const JointTiles& joint, CellId cell, const std::vector<int32_t>& vertices)
-    : record_(*joint.own.at(cell)), chain_(joint.chain.at(cell)) {
+    : record_(*joint.own.at(cell)), chain_(joint.chain.at(cell)), square_(joint.squares.at(cell)) {
   const size_t own = record_.vertices.size();
   for (size_t v = 0; v < own; ++v) own_vertex_.emplace(vertices[v], static_cast<int32_t>(v));
   const std::vector<std::vector<int32_t>>& through = joint.edges_through.at(cell);
@@ -57,8 +57,9 @@ std::vector<ChainPassage> PictureEdges::PassagesOf(const Plan& plan, const Plann
   for (const RimSegment& s : segments) edge.push_back(Under(s));
   const std::vector<std::optional<size_t>> next = NextOf(segments);
   const auto is_chain = [&](size_t i) { return edge[i] && chain_[*edge[i]]; };
-  const auto is_outline = [&](size_t i) { return edge[i] && !chain_[*edge[i]]; };
-  // The segment behind outlines of pieces that follow another.
+  const auto is_line = [&](size_t i) { return !edge[i] && IsOnLine(plan, segments[i]); };
+  const auto is_outline = [&](size_t i) { return !is_chain(i) && !is_line(i); };
+  // The segment behind outlines of pieces that follow another. A part too short to tell its edge goes with them.
   const auto behind_outlines = [&](size_t i) {
     std::optional<size_t> k = next[i];
     for (size_t steps = 0; k && is_outline(*k); ++steps) k = steps < segments.size() ? next[*k] : std::nullopt;
@@ -76,8 +77,8 @@ std::vector<ChainPassage> PictureEdges::PassagesOf(const Plan& plan, const Plann
     ChainPassage& passage = passages.emplace_back();
     if (is_chain(i)) passage.leaving = {*edge[i], place_at(from)};
     if (is_chain(*k)) passage.arriving = {*edge[*k], place_at(to)};
-    if (!edge[i]) passage.at_outline = place_at(from);
-    if (!edge[*k]) passage.at_outline = place_at(to);
+    if (is_line(i)) passage.at_outline = place_at(from);
+    if (is_line(*k)) passage.at_outline = place_at(to);
   }
   return passages;
 }
@@ -89,6 +90,13 @@ std::optional<int32_t> PictureEdges::Under(const RimSegment& s) const {
     if (Passes(e, s.from) && Passes(e, s.to)) return e;
   }
   return std::nullopt;
+}
+
+bool PictureEdges::IsOnLine(const Plan& plan, const RimSegment& s) const {
+  const Point3 &from = plan.vertices[s.from].position, &to = plan.vertices[s.to].position;
+  return s.seam || std::ranges::any_of(kSides, [&](Side side) {
+           return from[AxisOf(side)] == square_.side[side] && to[AxisOf(side)] == square_.side[side];
+         });
 }
 
 bool PictureEdges::Passes(int32_t edge, int32_t v) const {

@@ -36,9 +36,12 @@ class PictureEdges {
   // The edge that a segment is, or is a part of.
   std::optional<int32_t> Under(const RimSegment& s) const;
   bool Passes(int32_t edge, int32_t v) const;
+  // Whether a segment lies on a grid line: it is a seam, or another tile's edge.
+  bool IsOnLine(const Plan& plan, const RimSegment& s) const;
 
   const SurveyRecord& record_;
   const std::vector<bool>& chain_;                             // as JointTiles
+  const ClipSquare& square_;                                   // likewise
   std::unordered_map<int32_t, int32_t> own_vertex_;            // plan vertex -> of the record
   std::unordered_map<int32_t, std::vector<int32_t>> through_;  // other plan vertex -> edges of the record there
   std::map<std::pair<int32_t, int32_t>, int32_t> edge_;        // of the record, by its ends

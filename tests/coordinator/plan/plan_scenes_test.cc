@@ -255,6 +255,21 @@ TEST_P(MadeSceneTest, MovesAlongWithASceneMovedByWholeCells) {
   EXPECT_EQ(FiguresOf(moved, {}, {0, 0, 0}), FiguresOf(PlanOf(scene), shift, move));
 }
 
+// The outline of a lake ends beside the corner of four pieces: two holes were taken for one there.
+TEST(PiecesTest, HolesAreCountedAsWithoutPieces) {
+  SceneMakerOptions options;
+  options.cell_size = 250;
+  options.seed = 3089;
+  options.cut = Cut::kOverlap;
+  options.relief = 20;
+  options.noise = 0.05;
+  options.lakes = options.islands = options.river = true;
+  options.small_per_cell = 3;
+  const size_t whole = PlanOf(options).holes.size();
+  options.pieces = 3;
+  EXPECT_EQ(PlanOf(options).holes.size(), whole);
+}
+
 // So steep that normals say little of what is up.
 TEST(SteepGroundTest, HolesAreToldFromIslandsSeenFromAbove) {
   const auto kept = [](int32_t x, int32_t y) {

@@ -34,7 +34,8 @@ struct CrossingEdges {
     joint.own[kCell] = std::move(record);
     joint.edges_through[kCell] = {{0, 1}};
     joint.chain[kCell] = {true, true};
-    hole.segments = {{11, 14, false}, {14, 12, false}, {12, 11, false}};
+    joint.squares[kCell].side = {0, 4, -2, 2};
+    hole.segments = {{11, 14, false}, {14, 12, false}, {12, 11, true}};
   }
 
   PictureEdges Edges() const { return {joint, kCell, numbers}; }
@@ -53,7 +54,7 @@ TEST(PictureEdgesTest, TellsWhereAHolePassesFromOneEdgeToAnother) {
 
 TEST(PictureEdgesTest, AHoleThatGoesOnAlongAnEdgePassesToNone) {
   CrossingEdges scene;
-  scene.hole.segments = {{11, 14, false}, {14, 10, false}, {10, 11, false}};
+  scene.hole.segments = {{11, 14, false}, {14, 10, false}, {10, 11, true}};
   EXPECT_THAT(scene.Edges().PassagesOf(scene.plan, scene.hole), IsEmpty());
 }
 
@@ -74,7 +75,7 @@ TEST(PictureEdgesTest, TellsWhereAWayAlongAnOutlineComesToTheGridLine) {
 TEST(PictureEdgesTest, TellsWhereAWayAlongAnOutlineComesFromTheGridLine) {
   CrossingEdges scene;
   scene.joint.chain[kCell] = {false, true};
-  scene.plan.vertices.emplace_back().position = Point3(5, -2, 0);
+  scene.plan.vertices.emplace_back().position = Point3(4, -2, 0);
   scene.hole.segments = {{15, 11, false}, {11, 14, false}, {14, 12, false}};
   const std::vector<ChainPassage> passages = scene.Edges().PassagesOf(scene.plan, scene.hole);
   ASSERT_EQ(passages.size(), 1U);
