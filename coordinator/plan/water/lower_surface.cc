@@ -11,18 +11,20 @@ namespace tilemend {
 namespace {
 
 // Metres: the first rows of triangles lie on the shore itself, which rises slowly; half the width of a street.
-constexpr double kNearest = 3, kFarthest = 15;
+constexpr double kNearest = 4, kFarthest = 15;
 constexpr double kNearestEdges = 1.5, kFarthestEdges = 3;  // mean edges, if that is more
-constexpr int64_t kMinPoints = 10;
+constexpr double kSteepest = 0.1;                          // rise / run; what is higher at kFarthest is an object
+constexpr double kPlace = 0.1;                             // of kFarthest: side of the squares that count
+constexpr int64_t kMinPlaces = 10;
 
 // The shore of one rim in squares as wide as its reach.
 class ShoreIndex {
  public:
-  explicit ShoreIndex(const Shore& shore) : noise_(shore.noise) {
+  explicit ShoreIndex(const Shore& shore) : most_above_(kSigmas * std::max(shore.noise, kMinSigma)) {
     nearest_ = std::max(kNearest, kNearestEdges * shore.mean_edge);
     reach_ = std::max(kFarthest, kFarthestEdges * shore.mean_edge);
     for (const Point3& p : shore.edges) {
-      squares_[SquareOf(p)].push_back(p);
+      squares_[SquareOf(p, reach_)].push_back(p);
       box_.extend(p.head<2>());
     }
     box_.min().array() -= reach_;
@@ -35,24 +37,28 @@ class ShoreIndex {
     if (!box_.contains(p.head<2>())) return;
     const auto [distance, level] = NearestEdge(p);
     if (distance < nearest_ || distance > reach_ || std::isnan(level)) return;
-    ++count_;
-    if (p.z() <= level + noise_) ++lower_;
+    const double above = p.z() - level;
+    if (above >= kSteepest * reach_) return;
+    const auto [place, fresh] = lowest_.try_emplace(SquareOf(p, kPlace * reach_), above);
+    if (!fresh) place->second = std::min(place->second, above);
   }
 
   double LowerShare() const {
-    return count_ < kMinPoints ? 0 : static_cast<double>(lower_) / static_cast<double>(count_);
+    if (std::ssize(lowest_) < kMinPlaces) return 0;
+    const auto lower = std::ranges::count_if(lowest_, [&](const auto& place) { return place.second <= most_above_; });
+    return static_cast<double>(lower) / static_cast<double>(lowest_.size());
   }
 
  private:
   using Square = std::pair<int64_t, int64_t>;
 
-  Square SquareOf(const Point3& p) const {
-    return {std::llround(std::floor(p.x() / reach_)), std::llround(std::floor(p.y() / reach_))};
+  static Square SquareOf(const Point3& p, double side) {
+    return {std::llround(std::floor(p.x() / side)), std::llround(std::floor(p.y() / side))};
   }
 
   // How far away it is, and the height of the water there.
   std::pair<double, double> NearestEdge(const Point3& p) const {
-    const Square middle = SquareOf(p);
+    const Square middle = SquareOf(p, reach_);
     std::pair<double, double> nearest(std::numeric_limits<double>::infinity(), 0);
     for (int64_t column = middle.first - 1; column <= middle.first + 1; ++column) {
       for (int64_t row = middle.second - 1; row <= middle.second + 1; ++row) {
@@ -67,10 +73,10 @@ class ShoreIndex {
     return {std::sqrt(nearest.first), nearest.second};
   }
 
-  double noise_, nearest_ = 0, reach_ = 0;
+  double most_above_, nearest_ = 0, reach_ = 0;  // metres
   std::map<Square, std::vector<Point3>> squares_;
   Eigen::AlignedBox2d box_;
-  int64_t count_ = 0, lower_ = 0;
+  std::map<Square, double> lowest_;  // metres above the water, of the surface in the square
 };
 
 }  // namespace

@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kWallAtWater = 1;       // metres
 constexpr double kJudged = 100;          // m2: smaller holes are not judged unless an area decides, or beside water
-constexpr double kMaxLowerShare = 0.05;  // of the surface around water
+constexpr double kMaxLowerShare = 0.15;  // of the low surface around water
 
 using Verdict = HoleEvidence::Verdict;
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
@@ -12,12 +13,13 @@ namespace tilemend {
 namespace {
 
 // A hole of 10 x 10 squares of 1 m in the middle of 40 x 40, and the share around it that is lower than its rim.
-double ShareAround(const HeightFunction& height) {
+double ShareAround(const HeightFunction& height, double noise = 0.1) {
   std::vector<std::string> picture(40, std::string(40, '#'));
   for (int row = 15; row < 25; ++row) picture[row].replace(15, 10, 10, '.');
   SurveyedScene scene = PictureScene(picture, 40, height);
   Shore shore;
   shore.mean_edge = 1;
+  shore.noise = noise;
   for (double k = 15.5; k < 25; ++k) {
     for (const Point2& p : {Point2(k, 15), Point2(k, 25), Point2(15, k), Point2(25, k)}) {
       shore.edges.emplace_back(p.x(), p.y(), 5);
@@ -30,6 +32,20 @@ TEST(LowerSharesTest, IsTheShareOfTheSurfaceAround) {
   EXPECT_EQ(ShareAround([](double, double) { return 6; }), 0);
   EXPECT_EQ(ShareAround([](double, double) { return 4; }), 1);
   EXPECT_NEAR(ShareAround([](double x, double) { return x < 20 ? 4 : 6; }), 0.5, 0.1);
+}
+
+// A street between houses: few places beside it are low, and they are as low as the street.
+TEST(LowerSharesTest, ObjectsDoNotCount) {
+  const auto houses = [](double, double y) { return y < 12 ? 5.05 : 12; };
+  EXPECT_EQ(ShareAround(houses), 1);
+  EXPECT_EQ(ShareAround([](double, double) { return 12; }), 0);
+}
+
+// The surface rises by 2 cm per metre: a bank, unless the heights are as rough as that.
+TEST(LowerSharesTest, NoiseIsNoHigher) {
+  const auto bank = [](double x, double y) { return 5 + 0.02 * std::max({15 - x, x - 25, 15 - y, y - 25, 0.0}); };
+  EXPECT_LT(ShareAround(bank, 0.02), 0.15);
+  EXPECT_EQ(ShareAround(bank, 0.2), 1);
 }
 
 // East of the hole its rim is a quay: what lies behind that does not count.
