@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 
+#include "absl/container/flat_hash_map.h"
 #include "common/mesh/position_index.h"
 #include "common/mesh/triangle_shape.h"
 #include "worker/check/fill_pieces.h"
@@ -39,7 +39,7 @@ GridKey KeyAt(const Point3& p, double step) {
 
 // The faces with the vertices of each square of a grid moved to their mean; those that become flat are gone.
 std::vector<HoleCrop::Face> OnGrid(const std::vector<HoleCrop::Face>& faces, double step) {
-  std::map<GridKey, std::pair<Point3, double>> sums;
+  absl::flat_hash_map<GridKey, std::pair<Point3, double>> sums;
   for (const HoleCrop::Face& face : faces) {
     for (const Point3& p : face.corners) {
       auto& [sum, count] = sums.try_emplace(KeyAt(p, step), Point3(0, 0, 0), 0.0).first->second;

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
-#include "common/codec/face_looks.h"
 #include "common/codec/mesh_file.h"
 #include "common/codec/obj.h"
 #include "common/codec/ply_colours.h"
@@ -47,7 +46,6 @@ absl::StatusOr<PictureTile> ReadTreePicture(const std::string& path, const std::
   TILEMEND_ASSIGN_OR_RETURN(const TileTree tree, ReadTileTree(pack, name));
   TreeLevel finest = LevelOf(tree, tree.levels - 1);
   PictureTile tile;
-  tile.faces.looks = TreeFaceLooks(tree, finest);
   for (const TreeLevel::Part& part : finest.parts) {
     const int32_t f = tree.pieces[part.piece].file;
     const TreeFile& file = tree.files[f];
@@ -78,19 +76,16 @@ absl::StatusOr<PictureTile> ReadPictureTile(const std::string& root, const std::
   if (format == MeshFormat::kObj) {
     TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name, NoFaces::kAccept));
     tile.faces.mesh = std::move(obj.file.mesh);
-    tile.faces.looks = ObjFaceLooks(obj.textures, tile.faces.mesh.triangles);
     TILEMEND_RETURN_IF_ERROR(AddObjLook(root, path, obj.textures, tile));
     return tile;
   }
   TILEMEND_ASSIGN_OR_RETURN(MeshFile file, ParseMesh(format, bytes, name, NoFaces::kAccept));
   tile.faces.mesh = std::move(file.mesh);
-  tile.faces.looks.assign(tile.faces.mesh.triangles.size(), 0);
   tile.material_of.assign(tile.faces.mesh.triangles.size(), -1);
   if (format == MeshFormat::kPly) {
     std::vector<int32_t> all(tile.faces.mesh.points.size());
     std::iota(all.begin(), all.end(), 0);
     TILEMEND_ASSIGN_OR_RETURN(tile.vertex_colours, PlyVertexColours(bytes, all, name));
-    TILEMEND_ASSIGN_OR_RETURN(tile.faces.looks, PlyFaceLooks(bytes, name));
   }
   return tile;
 }

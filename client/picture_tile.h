@@ -22,7 +22,7 @@ struct PictureTile {
     Rgb colour{};
   };
 
-  LookedMesh faces;
+  LookedMesh faces;                  // without looks: what was filled is told by its place
   std::vector<Corners> coordinates;  // of each triangle, v upward; empty: no triangle has any
   std::vector<int32_t> material_of;  // of each triangle, into `materials`; -1: none
   std::vector<Material> materials;

@@ -15,7 +15,7 @@ FaceKey KeyOf(const LookedMesh& tile, int32_t t) {
   for (size_t k = 0; k < 3; ++k) {
     std::memcpy(&key[3 * k], tile.mesh.points[tile.mesh.triangles[t][k]].data(), 3 * sizeof(double));
   }
-  key[9] = tile.looks[t];
+  key[9] = tile.looks.empty() ? 0 : tile.looks[t];
   return key;
 }
 

@@ -13,7 +13,7 @@ namespace tilemend {
 struct LookedMesh {
   TriMesh mesh;
   // Of each triangle: a digest of all that it has beside the positions of its corners (material, texture coordinates,
-  // colours and further properties).
+  // colours and further properties). Empty: only positions are compared.
   std::vector<uint64_t> looks;
 };
 

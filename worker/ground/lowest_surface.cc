@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace tilemend {
 namespace {
@@ -20,10 +21,12 @@ class Rasterizer {
 
   // The triangle's height at each place of the lattice that it covers, line by line.
   void AddTriangle(const std::array<Point3, 3>& corners) {
+    const auto [low, high] = std::minmax({corners[0].y(), corners[1].y(), corners[2].y()});
+    const int64_t first = FirstPlace(low);
+    if (PlaceAt(first) > high) return;  // most triangles are smaller than a square
     const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
     if (normal.z() == 0) return;
-    const auto [low, high] = std::minmax({corners[0].y(), corners[1].y(), corners[2].y()});
-    for (int64_t line = FirstPlace(low); PlaceAt(line) <= high; ++line) {
+    for (int64_t line = first; PlaceAt(line) <= high; ++line) {
       const double y = PlaceAt(line);
       const auto [left, right] = SpanAt(corners, y);
       for (int64_t k = FirstPlace(left); PlaceAt(k) <= right; ++k) {
@@ -67,8 +70,12 @@ class Rasterizer {
 
 GroundRaster LowestSurface(const TriMesh& mesh, double square) {
   Eigen::AlignedBox2d box;
+  std::vector<bool> has_triangle(mesh.points.size(), false);
   for (const Triangle& t : mesh.triangles) {
-    for (const int32_t v : t) box.extend(Point2(mesh.points[v].head<2>()));
+    for (const int32_t v : t) has_triangle[v] = true;
+  }
+  for (size_t v = 0; v < mesh.points.size(); ++v) {
+    if (has_triangle[v]) box.extend(Point2(mesh.points[v].head<2>()));
   }
   GroundRaster raster;
   raster.square = square;
@@ -80,10 +87,11 @@ GroundRaster LowestSurface(const TriMesh& mesh, double square) {
   raster = EmptyRaster(square, col, row, SquareAt(box.max().x(), square) - col + 1,
                        SquareAt(box.max().y(), square) - row + 1);
   Rasterizer rasterizer(raster);
+  for (size_t v = 0; v < mesh.points.size(); ++v) {
+    if (has_triangle[v]) rasterizer.AddVertex(mesh.points[v]);
+  }
   for (const Triangle& t : mesh.triangles) {
-    const std::array<Point3, 3> corners = {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]};
-    for (const Point3& p : corners) rasterizer.AddVertex(p);
-    rasterizer.AddTriangle(corners);
+    rasterizer.AddTriangle({mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]});
   }
   return raster;
 }
