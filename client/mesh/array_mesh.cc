@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
+#include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "common/mesh/clear_area.h"
@@ -23,87 +23,101 @@ absl::Status CheckRows(const char* array, size_t rows) {
 }
 
 template <typename Number>
-absl::StatusOr<std::vector<Point3>> PointsOf(std::span<const Number> numbers) {
-  const size_t rows = numbers.size() / 3;
-  if (rows == 0) return absl::InvalidArgumentError("vertices: there are none");
-  TILEMEND_RETURN_IF_ERROR(CheckRows("vertices", rows));
-  std::vector<Point3> points;
-  points.reserve(rows);
-  for (size_t i = 0; i < rows; ++i) {
-    const Point3 p(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
-    for (int k = 0; k < 3; ++k) {
-      if (std::isfinite(p[k]) && std::abs(p[k]) <= kMaxCoordinate) continue;
-      return absl::InvalidArgumentError(
-          absl::StrCat("vertices[", i, ", ", k, "] is ", p[k], ": expected a finite number between -1e9 and 1e9"));
-    }
-    points.push_back(p);
+absl::Status CheckVertices(std::span<const Number> numbers) {
+  if (numbers.empty()) return absl::InvalidArgumentError("vertices: there are none");
+  TILEMEND_RETURN_IF_ERROR(CheckRows("vertices", numbers.size() / 3));
+  for (size_t i = 0; i < numbers.size(); ++i) {
+    if (std::isfinite(numbers[i]) && std::abs(numbers[i]) <= kMaxCoordinate) continue;
+    return absl::InvalidArgumentError(absl::StrCat("vertices[", i / 3, ", ", i % 3, "] is ", numbers[i],
+                                                   ": expected a finite number between -1e9 and 1e9"));
   }
-  return points;
+  return absl::OkStatus();
 }
 
 template <typename Index>
-absl::StatusOr<std::vector<Triangle>> TrianglesOf(std::span<const Index> indices, size_t vertices) {
-  const size_t rows = indices.size() / 3;
-  TILEMEND_RETURN_IF_ERROR(CheckRows("faces", rows));
-  std::vector<Triangle> triangles(rows);
+absl::Status CheckFaces(std::span<const Index> indices, size_t vertices) {
+  TILEMEND_RETURN_IF_ERROR(CheckRows("faces", indices.size() / 3));
   for (size_t i = 0; i < indices.size(); ++i) {
-    const Index index = indices[i];
-    if (index < 0 || static_cast<uint64_t>(index) >= vertices) {
-      return absl::InvalidArgumentError(absl::StrCat("faces[", i / 3, ", ", i % 3, "] is ", index,
-                                                     ": expected an index from 0 to ", vertices - 1, ", as there are ",
-                                                     vertices, " vertices"));
-    }
-    triangles[i / 3][i % 3] = static_cast<int32_t>(index);
+    if (indices[i] >= 0 && static_cast<uint64_t>(indices[i]) < vertices) continue;
+    return absl::InvalidArgumentError(absl::StrCat("faces[", i / 3, ", ", i % 3, "] is ", indices[i],
+                                                   ": expected an index from 0 to ", vertices - 1, ", as there are ",
+                                                   vertices, " vertices"));
   }
-  return triangles;
+  return absl::OkStatus();
+}
+
+template <typename Number>
+std::vector<Number> NumbersOf(const PointRows& points, std::span<const Point3> new_points) {
+  std::vector<Number> numbers;
+  numbers.reserve(3 * (points.size() + new_points.size()));
+  const auto add = [&](const Point3& p) {
+    for (const double x : p) numbers.push_back(static_cast<Number>(x));
+  };
+  for (const Point3& p : points) add(p);
+  for (const Point3& p : new_points) add(p);
+  return numbers;
 }
 
 }  // namespace
 
 absl::StatusOr<ArrayMesh> ArrayMesh::Make(const VertexNumbers& vertices, const FaceNumbers& faces) {
-  TriMesh mesh;
-  TILEMEND_ASSIGN_OR_RETURN(mesh.points, std::visit([](auto numbers) { return PointsOf(numbers); }, vertices));
-  TILEMEND_ASSIGN_OR_RETURN(mesh.triangles,
-                            std::visit([&](auto indices) { return TrianglesOf(indices, mesh.points.size()); }, faces));
-  const bool is_float32 = std::holds_alternative<std::span<const float>>(vertices);
-  return ArrayMesh(std::move(mesh), is_float32 ? NumberType::kFloat32 : NumberType::kFloat64);
+  TILEMEND_RETURN_IF_ERROR(std::visit([](auto numbers) { return CheckVertices(numbers); }, vertices));
+  const PointRows points = std::visit([](auto numbers) { return PointRows(numbers); }, vertices);
+  TILEMEND_RETURN_IF_ERROR(std::visit([&](auto indices) { return CheckFaces(indices, points.size()); }, faces));
+  return ArrayMesh({points, std::visit([](auto indices) { return TriangleRows(indices); }, faces)});
 }
 
+MeshView ArrayMesh::View() const { return {given_.points, edited_ ? TriangleRows(*edited_) : given_.triangles}; }
+
 absl::StatusOr<LookSurvey> ArrayMesh::Survey(NoFaces) const {
-  return LookSurvey{SurveyTile(mesh_, number_type_ == NumberType::kFloat32, PieceAreas::kYes), {}, {}};
+  return LookSurvey{SurveyTile(View(), given_.points.is_float32(), PieceAreas::kYes), {}, {}};
 }
 
 absl::StatusOr<WeldRecord> ArrayMesh::Weld(double tolerance) {
-  tilemend::Weld weld = WeldRims(mesh_, {}, tolerance, true);
-  mesh_.triangles = std::move(weld.triangles);  // the new halves of split faces count as new, as in files
+  tilemend::Weld weld = WeldRims(View(), {}, tolerance, true);
+  edited_ = std::move(weld.triangles);  // the new halves of split faces count as new, as in files
   return std::move(weld.record);
 }
 
 absl::StatusOr<std::vector<int64_t>> ArrayMesh::Clear(std::span<const ClearArea> areas) {
-  const std::vector<int32_t> cleared_by = AreasThatClear(mesh_, areas);
+  const TriangleRows triangles = View().triangles;
+  const std::vector<int32_t> cleared_by = AreasThatClear(View(), areas);
   std::vector<int64_t> cleared(areas.size(), 0);
   std::vector<Triangle> kept;
   for (size_t t = 0; t < cleared_by.size(); ++t) {
     if (cleared_by[t] < 0) {
-      kept.push_back(mesh_.triangles[t]);
+      kept.push_back(triangles[t]);
     } else {
       ++cleared[static_cast<size_t>(cleared_by[t])];
     }
   }
-  mesh_.triangles = std::move(kept);
-  originals_ = mesh_.triangles.size();
+  originals_ = kept.size();
+  edited_ = std::move(kept);
   return cleared;
 }
 
 absl::Status ArrayMesh::Append(const FilePatch& patch) {
-  TILEMEND_RETURN_IF_ERROR(CheckRows("vertices, with new ones", mesh_.points.size() + patch.new_points.size()));
-  TILEMEND_RETURN_IF_ERROR(CheckRows("faces, with new ones", mesh_.triangles.size() + patch.triangles.size()));
-  // Not twice as much: the caller of Python keeps these arrays.
-  mesh_.points.reserve(mesh_.points.size() + patch.new_points.size());
-  mesh_.triangles.reserve(mesh_.triangles.size() + patch.triangles.size());
-  for (const Point3& p : patch.new_points) mesh_.points.push_back(RoundedTo(number_type_, p));
-  mesh_.triangles.insert(mesh_.triangles.end(), patch.triangles.begin(), patch.triangles.end());
-  return absl::OkStatus();
+  new_points_.insert(new_points_.end(), patch.new_points.begin(), patch.new_points.end());
+  new_triangles_.insert(new_triangles_.end(), patch.triangles.begin(), patch.triangles.end());
+  const MeshView view = View();
+  TILEMEND_RETURN_IF_ERROR(CheckRows("vertices, with new ones", view.points.size() + new_points_.size()));
+  return CheckRows("faces, with new ones", view.triangles.size() + new_triangles_.size());
+}
+
+FilledArrays ArrayMesh::Filled() const {
+  const MeshView view = View();
+  FilledArrays filled;
+  if (view.points.is_float32()) {
+    filled.vertices = NumbersOf<float>(view.points, new_points_);
+  } else {
+    filled.vertices = NumbersOf<double>(view.points, new_points_);
+  }
+  filled.faces.reserve(3 * (view.triangles.size() + new_triangles_.size()));
+  const auto add = [&](const Triangle& t) { filled.faces.insert(filled.faces.end(), t.begin(), t.end()); };
+  for (const Triangle& t : view.triangles) add(t);
+  for (const Triangle& t : new_triangles_) add(t);
+  filled.originals = originals_;
+  return filled;
 }
 
 }  // namespace tilemend

@@ -3,17 +3,16 @@
 #define TILEMEND_CLIENT_MESH_ARRAY_MESH_H_
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "client/mesh/edited_mesh.h"
-#include "common/mesh/rounding.h"
-#include "common/mesh/tri_mesh.h"
+#include "common/mesh/mesh_view.h"
 
 namespace tilemend {
 
@@ -22,34 +21,43 @@ using VertexNumbers = std::variant<std::span<const float>, std::span<const doubl
 using FaceNumbers = std::variant<std::span<const int32_t>, std::span<const int64_t>, std::span<const uint32_t>,
                                  std::span<const uint64_t>>;
 
+// Rows of three numbers, one after the other.
+struct FilledArrays {
+  std::variant<std::vector<float>, std::vector<double>> vertices;  // in the type of those that came in
+  std::vector<int32_t> faces;
+  size_t originals = 0;  // faces that came in, without those taken out; those behind are new
+};
+
+// Reads the numbers where they lie, whatever their type, and copies none before Filled.
 class ArrayMesh : public EditedMesh {
  public:
-  // Copies both. Errors are kInvalidArgument and name the array, the row and what was expected. They are: no vertices,
-  // a coordinate that is not finite or beyond 1e9, an index out of range, more rows than int32_t counts. Precondition:
-  // the lengths are multiples of 3. Cost: linear.
+  // Both outlive the mesh, and nobody changes them meanwhile. Errors are kInvalidArgument and name the array, the row
+  // and what was expected. They are: no vertices, a coordinate that is not finite or beyond 1e9, an index out of range,
+  // more rows than int32_t counts. Precondition: the lengths are multiples of 3. Cost: linear, without memory.
   static absl::StatusOr<ArrayMesh> Make(const VertexNumbers& vertices, const FaceNumbers& faces);
 
   const std::string& name() const override { return name_; }
-  absl::StatusOr<TriMesh> Mesh() const override { return mesh_; }
+  absl::StatusOr<HeldMesh> Mesh() const override { return HeldMesh{nullptr, View()}; }
   absl::StatusOr<LookSurvey> Survey(NoFaces no_faces) const override;
   absl::StatusOr<WeldRecord> Weld(double tolerance) override;
   absl::StatusOr<std::vector<int64_t>> Clear(std::span<const ClearArea> areas) override;
   absl::Status Append(const FilePatch& patch) override;
 
-  const TriMesh& mesh() const { return mesh_; }
-  // The same without a copy; nothing else may be called after it.
-  TriMesh TakeMesh() && { return std::move(mesh_); }
-  // The triangles behind this one are new.
-  size_t originals() const { return originals_; }
+  // The whole mesh in arrays of its own. Cost: linear.
+  FilledArrays Filled() const;
 
  private:
-  ArrayMesh(TriMesh mesh, NumberType number_type)
-      : mesh_(std::move(mesh)), number_type_(number_type), originals_(mesh_.triangles.size()) {}
+  explicit ArrayMesh(const MeshView& given) : given_(given), originals_(given.triangles.size()) {}
+
+  // The mesh without what was appended.
+  MeshView View() const;
 
   std::string name_ = "mesh";
-  TriMesh mesh_;
-  NumberType number_type_;
-  size_t originals_;  // triangles that came from the caller, without those taken out
+  MeshView given_;
+  std::optional<std::vector<Triangle>> edited_;  // in place of the given triangles, once an edit changed them
+  size_t originals_;
+  std::vector<Point3> new_points_;
+  std::vector<Triangle> new_triangles_;
 };
 
 }  // namespace tilemend

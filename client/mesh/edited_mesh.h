@@ -3,6 +3,7 @@
 #define TILEMEND_CLIENT_MESH_EDITED_MESH_H_
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,11 +12,18 @@
 #include "absl/status/statusor.h"
 #include "common/codec/mesh_file.h"
 #include "common/mesh/clear_area.h"
+#include "common/mesh/mesh_view.h"
 #include "common/mesh/tri_mesh.h"
 #include "common/records/weld.h"
 #include "worker/materials/survey_look.h"
 
 namespace tilemend {
+
+// A mesh to read. Valid until the next edit of the mesh it is of.
+struct HeldMesh {
+  std::unique_ptr<const TriMesh> parsed;  // null: the view is of what the edited mesh holds
+  MeshView view;
+};
 
 // Each edit keeps the numbers of vertices; triangles are numbered anew by Clear. Errors name the mesh and the place.
 // Not safe from several threads.
@@ -25,8 +33,8 @@ class EditedMesh {
 
   // Stands in messages: a path, or what the caller calls the mesh.
   virtual const std::string& name() const = 0;
-  // A copy of the mesh as it is now. Cost: linear.
-  virtual absl::StatusOr<TriMesh> Mesh() const = 0;
+  // The mesh as it is now. Cost: that of parsing it, if it is a file. Precondition: nothing was appended.
+  virtual absl::StatusOr<HeldMesh> Mesh() const = 0;
   // Boundary edges, colours along them, and files that the mesh names.
   virtual absl::StatusOr<LookSurvey> Survey(NoFaces no_faces) const = 0;
   // Merges boundary vertices (worker/weld/weld_rims.h). Precondition: tolerance > 0.

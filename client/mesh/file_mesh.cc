@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <iterator>
+#include <memory>
+#include <utility>
 
 #include "common/assemble/clear_tile.h"
 #include "common/codec/face_edits.h"
@@ -17,9 +19,11 @@ absl::StatusOr<FileMesh> FileMesh::Open(const std::string& path) {
   return FileMesh(path, format, std::move(bytes));
 }
 
-absl::StatusOr<TriMesh> FileMesh::Mesh() const {
+absl::StatusOr<HeldMesh> FileMesh::Mesh() const {
   TILEMEND_ASSIGN_OR_RETURN(MeshFile file, ParseMesh(format_, bytes_, path_));
-  return std::move(file.mesh);
+  auto parsed = std::make_unique<const TriMesh>(std::move(file.mesh));
+  const MeshView view = *parsed;
+  return HeldMesh{std::move(parsed), view};
 }
 
 absl::StatusOr<LookSurvey> FileMesh::Survey(NoFaces no_faces) const {

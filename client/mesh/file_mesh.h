@@ -20,7 +20,7 @@ class FileMesh : public EditedMesh {
   static absl::StatusOr<FileMesh> Open(const std::string& path);
 
   const std::string& name() const override { return path_; }
-  absl::StatusOr<TriMesh> Mesh() const override;
+  absl::StatusOr<HeldMesh> Mesh() const override;
   absl::StatusOr<LookSurvey> Survey(NoFaces no_faces) const override;
   absl::StatusOr<WeldRecord> Weld(double tolerance) override;
   absl::StatusOr<std::vector<int64_t>> Clear(std::span<const ClearArea> areas) override;

@@ -115,10 +115,10 @@ class MeshFiller {
 
   // A mesh of needles alone has no hole, and nothing else either.
   absl::Status WarnOfNoSurface() {
-    TILEMEND_ASSIGN_OR_RETURN(const TriMesh mesh, mesh_.Mesh());
-    if (HasArea(mesh)) return absl::OkStatus();
+    TILEMEND_ASSIGN_OR_RETURN(const HeldMesh mesh, mesh_.Mesh());
+    if (HasArea(mesh.view)) return absl::OkStatus();
     filled_.report.warnings.push_back(
-        absl::StrCat(mesh_.name(), ": none of its ", mesh.triangles.size(),
+        absl::StrCat(mesh_.name(), ": none of its ", mesh.view.triangles.size(),
                      " triangles has an area: there is no surface that could have holes"));
     return absl::OkStatus();
   }
@@ -131,9 +131,9 @@ class MeshFiller {
   }
 
   absl::Status Do(const MeasureWork& work) {
-    TILEMEND_ASSIGN_OR_RETURN(const TriMesh mesh, mesh_.Mesh());
+    TILEMEND_ASSIGN_OR_RETURN(const HeldMesh mesh, mesh_.Mesh());
     TileLevels levels{work.tile->cell, {}};
-    levels.tallies = TallyHeightsIn(mesh, work.polygons);
+    levels.tallies = TallyHeightsIn(mesh.view, work.polygons);
     return filled_.waves->Take(std::move(levels));
   }
 
@@ -147,23 +147,22 @@ class MeshFiller {
   }
 
   absl::Status Do(const FillWork& work) {
-    std::optional<SurfaceIndex> surface;  // read again for holes that are no heights over the ground
-    absl::Status read;
+    std::optional<absl::StatusOr<HeldMesh>> mesh;  // for holes that are no heights over the ground
+    std::optional<SurfaceIndex> surface;
     const auto near = [&](const Point3& lo, const Point3& hi) {
       std::vector<SpaceTriangle> found;
-      if (!surface) {
-        auto again = mesh_.Mesh();
-        read = again.status();
-        surface.emplace(again.ok() ? *std::move(again) : TriMesh());
+      if (!mesh) {
+        mesh = mesh_.Mesh();
+        if (mesh->ok()) surface.emplace((*mesh)->view);
       }
-      surface->AppendNear(lo, hi, found);
+      if (surface) surface->AppendNear(lo, hi, found);
       return found;
     };
     const size_t holes = work.holes.holes.size();
     size_t done = 0;
     show_("fill", done, holes);
     const std::vector<HolePatch> patches = FillHoles(work.holes, options_, near, [&] { show_("fill", ++done, holes); });
-    TILEMEND_RETURN_IF_ERROR(read);
+    if (mesh) TILEMEND_RETURN_IF_ERROR(mesh->status());
     TILEMEND_RETURN_IF_ERROR(CheckNotCancelled());
     rim_ = work.holes.vertices;
     patches_ = patches;

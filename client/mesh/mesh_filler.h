@@ -44,7 +44,8 @@ struct FilledMesh {
 
 // Welds if asked, surveys, plans and fills the mesh. Errors of its parsing; kCancelled once options.fill.refine is
 // cancelled, which is looked at within each hole and leaves the mesh without patches. Holes that cannot be filled are
-// in the report. Holds the survey and the patches; and the mesh once more, if some hole is no height over the ground.
+// in the report. Holds the survey and the patches; and the mesh of a file once more, if some hole is no height over the
+// ground.
 absl::StatusOr<FilledMesh> FillMesh(EditedMesh& mesh, const MeshFillOptions& options);
 
 // The same for the mesh in the file `path`; errors of ReadFile and ParseMesh as well. Keeps the process's heap

@@ -184,7 +184,8 @@ absl::StatusOr<ClearedTile> ClearTreeLevels(std::string_view pack, std::span<con
   std::vector<TriMesh> surfaces(static_cast<size_t>(std::max(tile.levels - 1, 0)));
   for (size_t f = 0; f < tile.files.size(); ++f) {
     const TreeFile& file = tile.files[f];
-    const std::vector<int32_t> cleared_by = AreasThatClear({file.points, file.triangles}, areas);
+    const std::vector<int32_t> cleared_by =
+        AreasThatClear({PointRows(file.points), TriangleRows(file.triangles)}, areas);
     bool any = false;
     for (const int32_t area : cleared_by) any = any || area >= 0;
     if (any) {

@@ -13,7 +13,7 @@ struct Bounds {
   Point3 lo, hi;
 };
 
-Bounds BoundsOf(const TriMesh& mesh, const Triangle& t) {
+Bounds BoundsOf(const MeshView& mesh, const Triangle& t) {
   Bounds box{mesh.points[t[0]], mesh.points[t[0]]};
   for (const int32_t v : {t[1], t[2]}) {
     box.lo = box.lo.cwiseMin(mesh.points[v]);
@@ -22,7 +22,7 @@ Bounds BoundsOf(const TriMesh& mesh, const Triangle& t) {
   return box;
 }
 
-double ShareInside(const TriMesh& mesh, const Triangle& t, const PolygonIndex& polygon) {
+double ShareInside(const MeshView& mesh, const Triangle& t, const PolygonIndex& polygon) {
   const TrianglePoints points =
       PointsIn(mesh.points[t[0]].head<2>(), mesh.points[t[1]].head<2>(), mesh.points[t[2]].head<2>());
   const auto inside = std::ranges::count_if(points, [&](const Point2& p) { return polygon.Contains(p); });
@@ -41,7 +41,7 @@ TrianglePoints PointsIn(const Point2& a, const Point2& b, const Point2& c) {
   return points;
 }
 
-std::vector<int32_t> AreasThatClear(const TriMesh& mesh, std::span<const ClearArea> areas) {
+std::vector<int32_t> AreasThatClear(const MeshView& mesh, std::span<const ClearArea> areas) {
   const PolygonTree tree(areas.size(), [&](size_t a) -> const PlanePolygon& { return areas[a].polygon; });
   std::vector<PolygonIndex> indices;
   indices.reserve(areas.size());

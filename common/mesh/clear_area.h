@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "common/mesh/mesh_view.h"
 #include "common/mesh/plane_polygon.h"
-#include "common/mesh/tri_mesh.h"
 
 namespace tilemend {
 
@@ -31,7 +31,7 @@ TrianglePoints PointsIn(const Point2& a, const Point2& b, const Point2& c);
 // For each triangle the first area that takes it out, or -1 if it stays. An area takes out a triangle that has no
 // corner above `top` and more than kClearedShare of which lies in the polygon. The share is measured at PointsIn.
 // Pure. Cost O(n + points of the polygons) for n triangles, plus O(sqrt(points)) for each triangle near a polygon.
-std::vector<int32_t> AreasThatClear(const TriMesh& mesh, std::span<const ClearArea> areas);
+std::vector<int32_t> AreasThatClear(const MeshView& mesh, std::span<const ClearArea> areas);
 
 }  // namespace tilemend
 

@@ -9,12 +9,12 @@
 
 namespace tilemend {
 
-std::vector<HeightTally> TallyHeightsIn(const TriMesh& mesh, std::span<const PlanePolygon> polygons) {
+std::vector<HeightTally> TallyHeightsIn(const MeshView& mesh, std::span<const PlanePolygon> polygons) {
   const PolygonTree tree(polygons.size(), [&](size_t i) -> const PlanePolygon& { return polygons[i]; });
   const std::vector<PolygonIndex> indices(polygons.begin(), polygons.end());
   std::vector<HeightTally> tallies(polygons.size());
   for (const Triangle& t : mesh.triangles) {
-    const Point3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+    const Point3 a = mesh.points[t[0]], b = mesh.points[t[1]], c = mesh.points[t[2]];
     const Point3 centroid = (a + b + c) / 3;
     const Point2 at = centroid.head<2>();
     tree.ForMeeting(at, at, [&](int32_t i) {

@@ -47,7 +47,7 @@ void HeightTally::Add(const HeightTally& other) {
   for (const auto& [bin, area] : other.area_of_bin) area_of_bin[bin] += area;
 }
 
-HeightTally TallyHeights(const TriMesh& mesh, const PlanePolygon& polygon) {
+HeightTally TallyHeights(const MeshView& mesh, const PlanePolygon& polygon) {
   return TallyHeightsIn(mesh, {&polygon, 1}).front();
 }
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <optional>
 
+#include "common/mesh/mesh_view.h"
 #include "common/mesh/plane_polygon.h"
-#include "common/mesh/tri_mesh.h"
 
 namespace tilemend {
 
@@ -25,7 +25,7 @@ inline constexpr double kAreaUnit = 1e-6;  // m2
 
 // The triangles with their centroid in the polygon, each with its area seen from above at the height of its centroid.
 // Cost as AreasThatClear.
-HeightTally TallyHeights(const TriMesh& mesh, const PlanePolygon& polygon);
+HeightTally TallyHeights(const MeshView& mesh, const PlanePolygon& polygon);
 
 // The half-sample mode (Bickel and Fruehwirth 2006, "On a fast, robust estimator of the mode"), weighted by area. It
 // takes the shortest interval that holds half of the area, and of that again, until it is at most three bins long. The

@@ -7,7 +7,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -31,6 +30,7 @@
 #include "python/binding/array_view.h"
 #include "python/binding/background.h"
 #include "python/binding/interpreter_exit.h"
+#include "python/binding/read_only_while.h"
 
 namespace tilemend {
 namespace {
@@ -88,43 +88,27 @@ absl::StatusOr<v1::JobSpec> SpecOf(const std::map<std::string, std::string>& tex
   return spec;
 }
 
-struct Result {
-  ArrayMesh mesh;
-  std::string report;
-};
-
-absl::StatusOr<Result> FillArrays(ArrayMesh mesh, const v1::JobSpec& spec, const CancelToken& cancel,
-                                  SharedStep& step) {
+// The report as JSON.
+absl::StatusOr<std::string> FillArrays(ArrayMesh& mesh, const v1::JobSpec& spec, const CancelToken& cancel,
+                                       SharedStep& step) {
   TILEMEND_ASSIGN_OR_RETURN(MeshFillOptions options, MeshOptionsOf(spec));
   options.fill.refine.is_cancelled = [&] { return cancel.cancelled() || InterpreterEnds(); };
   options.show = [&](std::string_view name, size_t done, size_t all) { step.Set(name, done, all); };
   TILEMEND_ASSIGN_OR_RETURN(FilledMesh filled, FillMesh(mesh, options));
   filled.report.date = UtcText(absl::Now());
   filled.report.options = ReportedOptions(spec, kOfFill);
-  std::string report = SceneReport(filled.report);
-  return Result{std::move(mesh), std::move(report)};
+  return SceneReport(filled.report);
 }
 
 // An array that owns the rows of three numbers, without a copy.
-template <typename Number, typename Row>
-py::array ArrayOf(std::vector<Row> rows) {
-  static_assert(sizeof(Row) == 3 * sizeof(Number));
-  auto held = std::make_unique<std::vector<Row>>(std::move(rows));
-  const std::array<py::ssize_t, 2> shape = {static_cast<py::ssize_t>(held->size()), 3};
-  auto* const numbers = reinterpret_cast<Number*>(held->data());
-  const py::capsule owner(held.get(), [](void* vector) { delete static_cast<std::vector<Row>*>(vector); });
+template <typename Number>
+py::array ArrayOf(std::vector<Number> numbers) {
+  auto held = std::make_unique<std::vector<Number>>(std::move(numbers));
+  const std::array<py::ssize_t, 2> shape = {static_cast<py::ssize_t>(held->size() / 3), 3};
+  Number* const first = held->data();
+  const py::capsule owner(held.get(), [](void* vector) { delete static_cast<std::vector<Number>*>(vector); });
   held.release();
-  return py::array_t<Number>(shape, numbers, owner);
-}
-
-// Vertices in the number type of those that came in, if that is float32.
-py::array Float32Of(const std::vector<Point3>& points) {
-  py::array_t<float> array({static_cast<py::ssize_t>(points.size()), py::ssize_t{3}});
-  auto rows = array.mutable_unchecked<2>();
-  for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
-    for (py::ssize_t k = 0; k < 3; ++k) rows(i, k) = static_cast<float>(points[static_cast<size_t>(i)][k]);
-  }
-  return array;
+  return py::array_t<Number>(shape, first, owner);
 }
 
 // Python may end the thread in here by unwinding its stack, without the GIL: so no object may be freed on the way.
@@ -140,30 +124,32 @@ py::tuple Fill(const py::array& vertices, const py::array& faces, const std::map
                const py::object& progress) {
   const auto spec = SpecOf(texts);
   if (!spec.ok()) Throw(spec.status());
-  const VertexNumbers numbers = VertexView(vertices);
-  auto mesh = ArrayMesh::Make(numbers, FaceView(faces));
+  const ReadOnlyWhile vertices_stay(vertices), faces_stay(faces);
+  auto mesh = ArrayMesh::Make(VertexView(vertices), FaceView(faces));
   if (!mesh.ok()) Throw(mesh.status());
   CancelToken cancel;
   SharedStep step;
-  absl::StatusOr<Result> result = absl::UnknownError("");
+  absl::StatusOr<std::string> report = absl::UnknownError("");
+  FilledArrays filled;
   std::function<void(const SharedStep::Step&)> show;
   if (!progress.is_none()) {
     show = [&](const SharedStep::Step& now) { CallProgress(progress.ptr(), now); };
   }
-  RunInBackground([&] { result = FillArrays(*std::move(mesh), *spec, cancel, step); }, cancel, step, show);
-  if (!result.ok()) Throw(result.status());
-  const size_t originals = result->mesh.originals();
-  TriMesh filled = std::move(result->mesh).TakeMesh();
-  const bool is_float32 = std::holds_alternative<std::span<const float>>(numbers);
-  py::array new_vertices = is_float32 ? Float32Of(filled.points) : ArrayOf<double>(std::move(filled.points));
-  return py::make_tuple(std::move(new_vertices), ArrayOf<int32_t>(std::move(filled.triangles)), originals,
-                        result->report);
+  const auto work = [&] {
+    report = FillArrays(*mesh, *spec, cancel, step);
+    if (report.ok()) filled = mesh->Filled();
+  };
+  RunInBackground(work, cancel, step, show);
+  if (!report.ok()) Throw(report.status());
+  py::array all = std::visit([](auto numbers) { return ArrayOf(std::move(numbers)); }, std::move(filled.vertices));
+  return py::make_tuple(std::move(all), ArrayOf(std::move(filled.faces)), filled.originals, *report);
 }
 
 PYBIND11_MODULE(_tilemend, module) {
   module.doc() = "Geometry of tilemend; use the package tilemend.";
   module.attr("RELEASE") = Version();
   WatchInterpreterExit();
+  WatchForksOfReadOnly();
   module.def("options", &OptionRows);
   module.def("stages", &StageRows);
   module.def("fill", &Fill, py::arg("vertices"), py::arg("faces"), py::arg("options"), py::arg("progress"));

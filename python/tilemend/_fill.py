@@ -29,8 +29,9 @@ def fill(vertices: Rows, faces: Rows, *, progress: Optional[FillProgress] = None
 
     Args:
         vertices: (n, 3) float32 or float64, finite, at most 1e9 in size. Metres for terrain, else any unit. Integers
-            and other sequences become float64. Arrays in C order are read without a conversion.
-        faces: (m, 3) integers, indices of vertices, counter-clockwise seen from outside.
+            and other sequences become float64. Arrays in C order are read where they lie, and are read-only meanwhile.
+        faces: (m, 3) integers, indices of vertices, counter-clockwise seen from outside. As `vertices`: those of 32 and
+            64 bits are not copied.
         progress: called as progress(step, holes_done, holes) in this thread, at most 20 times a second. An exception
             that it raises ends the work.
         **options: as the flags of `tilemend fill`, with _ for -. True turns a switch on; None and False leave an
@@ -52,7 +53,9 @@ def fill(vertices: Rows, faces: Rows, *, progress: Optional[FillProgress] = None
         raise TypeError(f'progress: has type {type(progress).__name__}; expected a function')
     points, triangles = _vertices(vertices), _faces(faces)
     new_vertices, new_faces, originals, report = _tilemend.fill(points, triangles, _texts(options), progress)
-    return Filled(new_vertices, new_faces, np.arange(len(new_faces)) >= originals, json.loads(report))
+    is_new = np.zeros(len(new_faces), bool)
+    is_new[originals:] = True
+    return Filled(new_vertices, new_faces, is_new, json.loads(report))
 
 
 def _vertices(given: ArrayLike) -> NDArray[Any]:
@@ -60,10 +63,10 @@ def _vertices(given: ArrayLike) -> NDArray[Any]:
         given = _array('vertices', given, np.float64)
     _check_rows('vertices', given)
     if given.dtype.kind in 'iu':
-        return np.require(given, np.float64, ('C', 'ALIGNED'))
+        return _packed(given, np.dtype(np.float64))
     if given.dtype.kind != 'f' or given.dtype.itemsize not in (4, 8):
         raise TypeError(f'vertices: has dtype {given.dtype}; expected float32, float64 or integers')
-    return np.require(given, given.dtype.newbyteorder('='), ('C', 'ALIGNED'))
+    return _packed(given, given.dtype.newbyteorder('='))
 
 
 def _faces(given: ArrayLike) -> NDArray[Any]:
@@ -74,8 +77,14 @@ def _faces(given: ArrayLike) -> NDArray[Any]:
     _check_rows('faces', given)
     if given.dtype.kind not in 'iu':
         raise TypeError(f'faces: has dtype {given.dtype}; expected integers, as int32 or int64')
-    wide = np.int64 if given.dtype.itemsize < 4 else given.dtype.newbyteorder('=')
-    return np.require(given, wide, ('C', 'ALIGNED'))
+    return _packed(given, np.dtype(np.int64) if given.dtype.itemsize < 4 else given.dtype.newbyteorder('='))
+
+
+def _packed(given: NDArray[Any], dtype: np.dtype[Any]) -> NDArray[Any]:
+    """The array itself, if it can be read where it lies."""
+    if given.dtype == dtype and given.flags.c_contiguous and given.flags.aligned:
+        return given
+    return np.require(given, dtype, ('C', 'ALIGNED'))
 
 
 def _array(name: str, given: ArrayLike, dtype: Any) -> NDArray[Any]:

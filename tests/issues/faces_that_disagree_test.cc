@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "client/mesh/array_mesh.h"
@@ -22,8 +23,15 @@ using ::testing::IsEmpty;
 
 constexpr int kSide = 9;  // squares
 
+struct Arrays {
+  std::vector<double> vertices;
+  std::vector<int32_t> faces;
+
+  ArrayMesh Mesh() const { return ArrayMesh::Make(std::span(vertices), std::span(faces)).value(); }
+};
+
 // A plane with a hole of one square in its middle; `turned` by the number of a face.
-ArrayMesh PlaneWithHole(const std::function<bool(size_t)>& turned) {
+Arrays PlaneWithHole(const std::function<bool(size_t)>& turned) {
   std::vector<double> vertices;
   std::vector<int32_t> faces;
   for (int y = 0; y <= kSide; ++y) {
@@ -41,7 +49,7 @@ ArrayMesh PlaneWithHole(const std::function<bool(size_t)>& turned) {
       add(a, d, d - 1);
     }
   }
-  return ArrayMesh::Make(std::span<const double>(vertices), std::span<const int32_t>(faces)).value();
+  return {vertices, faces};
 }
 
 FilledMesh Fill(ArrayMesh& mesh) {
@@ -52,33 +60,34 @@ FilledMesh Fill(ArrayMesh& mesh) {
 }
 
 TEST(FacesThatDisagreeTest, HideNoHole) {
-  ArrayMesh expected = PlaneWithHole([](size_t) { return false; });
+  const Arrays plane = PlaneWithHole([](size_t) { return false; });
+  ArrayMesh expected = plane.Mesh();
   EXPECT_THAT(Fill(expected).report.warnings, IsEmpty());
   for (const size_t every : {2, 3, 7}) {
-    ArrayMesh mesh = PlaneWithHole([every](size_t face) { return face % every == 1; });
-    const std::vector<Triangle> before = mesh.mesh().triangles;
+    const Arrays given = PlaneWithHole([every](size_t face) { return face % every == 1; });
+    ArrayMesh mesh = given.Mesh();
     const FilledMesh filled = Fill(mesh);
     EXPECT_EQ(filled.report.plan->holes.size(), 1) << every;
     EXPECT_THAT(filled.report.outcome.failures, IsEmpty());
     EXPECT_THAT(filled.report.warnings, ElementsAre(HasSubstr("faces are turned the other way")));
-    const std::vector<Triangle>& after = mesh.mesh().triangles;
-    EXPECT_TRUE(std::equal(before.begin(), before.end(), after.begin())) << "original faces stay as they are";
-    EXPECT_EQ(after.size(), expected.mesh().triangles.size());
+    const std::vector<int32_t> after = mesh.Filled().faces;
+    EXPECT_TRUE(std::equal(given.faces.begin(), given.faces.end(), after.begin())) << "original faces stay as they are";
+    EXPECT_EQ(after.size(), expected.Filled().faces.size());
   }
 }
 
 // The new faces have the front of most of the old ones.
 TEST(FacesThatDisagreeTest, FillsLookTheWayOfMostFaces) {
   for (const bool most_are_turned : {false, true}) {
-    ArrayMesh mesh = PlaneWithHole([&](size_t face) { return (face % 4 == 0) != most_are_turned; });
-    const auto originals = static_cast<std::ptrdiff_t>(mesh.mesh().triangles.size());
+    const Arrays given = PlaneWithHole([&](size_t face) { return (face % 4 == 0) != most_are_turned; });
+    ArrayMesh mesh = given.Mesh();
     Fill(mesh);
-    const std::vector<Triangle>& after = mesh.mesh().triangles;
-    ASSERT_GT(std::ssize(after), originals);
-    for (auto t = after.begin() + originals; t != after.end(); ++t) {
-      const auto& p = mesh.mesh().points;
-      const double up = (p[(*t)[1]] - p[(*t)[0]]).cross(p[(*t)[2]] - p[(*t)[0]]).z();
-      EXPECT_EQ(up < 0, most_are_turned);
+    const FilledArrays filled = mesh.Filled();
+    const PointRows points(std::get<std::vector<double>>(filled.vertices));
+    const TriangleRows faces(std::span<const int32_t>(filled.faces));
+    ASSERT_GT(faces.size(), filled.originals);
+    for (size_t t = filled.originals; t < faces.size(); ++t) {
+      EXPECT_EQ(TwiceVectorArea(points, faces[t]).z() < 0, most_are_turned);
     }
   }
 }
@@ -100,7 +109,8 @@ TEST(FacesThatDisagreeTest, ASurfaceWithOneSideIsNamed) {
       faces.insert(faces.end(), {a, b, c, a, c, d});
     }
   }
-  auto mesh = ArrayMesh::Make(std::span<const double>(vertices), std::span<const int32_t>(faces)).value();
+  const Arrays given = {vertices, faces};
+  ArrayMesh mesh = given.Mesh();
   const FilledMesh filled = Fill(mesh);
   EXPECT_THAT(filled.report.plan->holes, IsEmpty());
   EXPECT_THAT(filled.report.warnings, ElementsAre(HasSubstr("has one side only; orient its faces")));

@@ -217,7 +217,7 @@ std::map<Defect, DefectFinding> FindDefects(const TriMesh& mesh, const CheckLimi
   return DefectFinder(mesh, limits).Run();
 }
 
-bool HasArea(const TriMesh& mesh) {
+bool HasArea(const MeshView& mesh) {
   return std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
                      [&](const Triangle& t) { return !TwiceVectorArea(mesh.points, t).isZero(0); });
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "common/mesh/mesh_view.h"
 #include "common/mesh/tri_mesh.h"
 
 namespace tilemend {
@@ -43,7 +44,7 @@ struct DefectFinding {
 std::map<Defect, DefectFinding> FindDefects(const TriMesh& mesh, const CheckLimits& limits);
 
 // Whether any triangle has an area: a mesh of none has no surface. O(n).
-bool HasArea(const TriMesh& mesh);
+bool HasArea(const MeshView& mesh);
 
 }  // namespace tilemend
 

@@ -1,6 +1,7 @@
 #include "worker/service/scene_stages.h"
 
 #include <algorithm>
+#include <deque>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -153,7 +154,7 @@ class TileSurface {
     for (const v1::TileRef& tile : input_.surface()) {
       TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, ReadSurveyed(tile));
       TILEMEND_ASSIGN_OR_RETURN(MeshFile file, MeshOf(tile, bytes));
-      tiles_.emplace_back(std::move(file.mesh));
+      tiles_.emplace_back(meshes_.emplace_back(std::move(file.mesh)));
     }
     return absl::OkStatus();
   }
@@ -161,6 +162,7 @@ class TileSurface {
   const v1::FillInput& input_;
   MemoryBudget& memory_;
   std::optional<HeldMemory> held_;  // goes after the tiles
+  std::deque<TriMesh> meshes_;
   std::vector<SurfaceIndex> tiles_;
   absl::Status status_;
 };

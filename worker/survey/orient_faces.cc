@@ -26,15 +26,15 @@ struct EdgeSide {
   bool upwards;
 };
 
-std::vector<EdgeSide> SortedSides(const TriMesh& mesh) {
+std::vector<EdgeSide> SortedSides(const PointRows& points, const std::vector<Triangle>& faces) {
   PositionIndex index;
   std::vector<int32_t> weld;
-  weld.reserve(mesh.points.size());
-  for (const Point3& p : mesh.points) weld.push_back(index.Insert(p));
+  weld.reserve(points.size());
+  for (const Point3& p : points) weld.push_back(index.Insert(p));
   std::vector<EdgeSide> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (size_t f = 0; f < mesh.triangles.size(); ++f) {
-    const Triangle& t = mesh.triangles[f];
+  sides.reserve(3 * faces.size());
+  for (size_t f = 0; f < faces.size(); ++f) {
+    const Triangle& t = faces[f];
     const std::array<int32_t, 3> w = {weld[t[0]], weld[t[1]], weld[t[2]]};
     if (w[0] == w[1] || w[1] == w[2] || w[2] == w[0]) continue;
     for (int8_t k = 0; k < 3; ++k) {
@@ -46,9 +46,9 @@ std::vector<EdgeSide> SortedSides(const TriMesh& mesh) {
   return sides;
 }
 
-std::vector<std::array<Neighbour, 3>> NeighboursOf(const TriMesh& mesh) {
-  std::vector<std::array<Neighbour, 3>> neighbours(mesh.triangles.size());
-  const std::vector<EdgeSide> sides = SortedSides(mesh);
+std::vector<std::array<Neighbour, 3>> NeighboursOf(const PointRows& points, const std::vector<Triangle>& faces) {
+  std::vector<std::array<Neighbour, 3>> neighbours(faces.size());
+  const std::vector<EdgeSide> sides = SortedSides(points, faces);
   for (size_t i = 0; i < sides.size();) {
     size_t j = i + 1;
     while (j < sides.size() && sides[j].key == sides[i].key) ++j;
@@ -93,9 +93,9 @@ std::vector<int32_t> TakePiece(int32_t first, const std::vector<std::array<Neigh
 
 }  // namespace
 
-int64_t OrientFaces(TriMesh& mesh) {
-  const std::vector<std::array<Neighbour, 3>> neighbours = NeighboursOf(mesh);
-  std::vector<Side> sides(mesh.triangles.size(), Side::kUnknown);
+int64_t OrientFaces(const PointRows& points, std::vector<Triangle>& faces) {
+  const std::vector<std::array<Neighbour, 3>> neighbours = NeighboursOf(points, faces);
+  std::vector<Side> sides(faces.size(), Side::kUnknown);
   int64_t turned = 0;
   for (size_t f = 0; f < sides.size(); ++f) {
     if (sides[f] != Side::kUnknown) continue;
@@ -104,7 +104,7 @@ int64_t OrientFaces(TriMesh& mesh) {
     const Side wrong = 2 * backs > std::ssize(piece) ? Side::kFront : Side::kBack;
     for (const int32_t face : piece) {
       if (sides[face] != wrong) continue;
-      std::swap(mesh.triangles[face][1], mesh.triangles[face][2]);
+      std::swap(faces[face][1], faces[face][2]);
       ++turned;
     }
   }

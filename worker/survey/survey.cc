@@ -28,7 +28,7 @@ uint64_t Mix(uint64_t x) {  // splitmix64's finaliser: a bijection
 // Marks the vertices at which outgoing and incoming edges do not cancel. Every end of an edge that is not in exactly
 // one triangle each way is marked: a vertex with one unmatched edge cannot cancel, as Mix is a bijection, and one with
 // several cancels with probability 2^-64.
-std::vector<uint8_t> MarkUnbalancedVertices(const TriMesh& mesh) {
+std::vector<uint8_t> MarkUnbalancedVertices(const MeshView& mesh) {
   struct Vertex {
     uint64_t key, balance;
   };
@@ -53,7 +53,7 @@ struct Weld {
   int64_t doubled = 0;
 };
 
-Weld WeldMarked(const TriMesh& mesh, const std::vector<uint8_t>& marked) {
+Weld WeldMarked(const MeshView& mesh, const std::vector<uint8_t>& marked) {
   Weld result;
   result.weld.assign(mesh.points.size(), kNone);
   PositionIndex index;
@@ -75,19 +75,20 @@ Weld WeldMarked(const TriMesh& mesh, const std::vector<uint8_t>& marked) {
 }
 
 // The triangles with a welded corner.
-std::vector<int32_t> TrianglesAtWelds(const TriMesh& mesh, const std::vector<int32_t>& weld) {
+std::vector<int32_t> TrianglesAtWelds(const MeshView& mesh, const std::vector<int32_t>& weld) {
   std::vector<int32_t> at_weld;
-  for (size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const Triangle& t = mesh.triangles[i];
+  int32_t i = 0;
+  for (const Triangle& t : mesh.triangles) {
     // kNone is all ones: one comparison for the three.
-    if ((weld[t[0]] & weld[t[1]] & weld[t[2]]) != kNone) at_weld.push_back(static_cast<int32_t>(i));
+    if ((weld[t[0]] & weld[t[1]] & weld[t[2]]) != kNone) at_weld.push_back(i);
+    ++i;
   }
   return at_weld;
 }
 
 // Numbers the ends of the edges in order of appearance and stores them as the record's boundary. Returns, for each
 // vertex of the mesh, its boundary vertex or kNone.
-std::vector<int32_t> StoreBoundary(const TriMesh& mesh, const Weld& weld, const std::vector<HalfEdge>& edges,
+std::vector<int32_t> StoreBoundary(const MeshView& mesh, const Weld& weld, const std::vector<HalfEdge>& edges,
                                    SurveyRecord& record) {
   std::vector<int32_t> number(weld.first.size(), kNone);
   const auto vertex = [&](int32_t w) {
@@ -114,7 +115,7 @@ std::vector<int32_t> StoreBoundary(const TriMesh& mesh, const Weld& weld, const 
 }
 
 // Of the triangles at one welded vertex: the fan that each is in. Those of a fan share edges at the vertex.
-std::map<int32_t, int32_t> FansAt(const TriMesh& mesh, const Weld& weld, int32_t vertex,
+std::map<int32_t, int32_t> FansAt(const MeshView& mesh, const Weld& weld, int32_t vertex,
                                   const std::vector<int32_t>& triangles) {
   DisjointSets sets(static_cast<int32_t>(triangles.size()));
   std::map<std::pair<bool, int32_t>, int32_t> last_with;  // by the edge's other end: welded or not
@@ -133,7 +134,7 @@ std::map<int32_t, int32_t> FansAt(const TriMesh& mesh, const Weld& weld, int32_t
 }
 
 // For the boundary edges that end where several do: which leaves that vertex around the same fan.
-void StoreEdgesAfter(const TriMesh& mesh, const Weld& weld, const std::vector<int32_t>& at_weld,
+void StoreEdgesAfter(const MeshView& mesh, const Weld& weld, const std::vector<int32_t>& at_weld,
                      const std::vector<HalfEdge>& edges, SurveyRecord& record) {
   struct Vertex {
     std::vector<int32_t> arriving, leaving, triangles;
@@ -165,7 +166,7 @@ void StoreEdgesAfter(const TriMesh& mesh, const Weld& weld, const std::vector<in
 }
 
 // The triangles at the boundary vertices and one more ring.
-void StoreBand(const TriMesh& mesh, const std::vector<int32_t>& boundary, const std::vector<int32_t>& at_weld,
+void StoreBand(const MeshView& mesh, const std::vector<int32_t>& boundary, const std::vector<int32_t>& at_weld,
                SurveyRecord& record) {
   std::vector<uint8_t> near(mesh.points.size(), 0);
   const auto at_boundary = [&](const Triangle& t) {
@@ -218,7 +219,7 @@ void StoreVertexFigures(SurveyRecord& record) {
 // Calls `use` with each triangle and the thing that stands for it among the joined ones: a vertex without weld, or a
 // number of its own from `vertices` on for each of `at_weld`.
 template <class Use>
-void ForThings(const TriMesh& mesh, const std::vector<int32_t>& at_weld, Use use) {
+void ForThings(const MeshView& mesh, const std::vector<int32_t>& at_weld, Use use) {
   size_t next = 0;
   const auto vertices = static_cast<int32_t>(mesh.points.size());
   for (size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -229,7 +230,7 @@ void ForThings(const TriMesh& mesh, const std::vector<int32_t>& at_weld, Use use
 }
 
 // The area of each of `count` pieces, which are numbered by the lowest thing of their group.
-std::vector<double> AreasOfPieces(const TriMesh& mesh, const std::vector<int32_t>& at_weld,
+std::vector<double> AreasOfPieces(const MeshView& mesh, const std::vector<int32_t>& at_weld,
                                   const std::vector<int32_t>& number, int32_t count, DisjointSets& sets) {
   std::vector<double> areas(count, 0);
   int32_t current = kNone;  // its sum is kept at hand
@@ -250,7 +251,7 @@ std::vector<double> AreasOfPieces(const TriMesh& mesh, const std::vector<int32_t
 
 // The piece of surface of each boundary edge. Away from welded vertices triangles are of one piece when they share a
 // vertex; at those, when they share an edge.
-void StorePieces(const TriMesh& mesh, const Weld& weld, const std::vector<int32_t>& at_weld, const WeldedEdges& edges,
+void StorePieces(const MeshView& mesh, const Weld& weld, const std::vector<int32_t>& at_weld, const WeldedEdges& edges,
                  PieceAreas areas, SurveyRecord& record) {
   const auto vertices = static_cast<int32_t>(mesh.points.size());
   const int32_t things = vertices + static_cast<int32_t>(at_weld.size());
@@ -280,7 +281,7 @@ void StorePieces(const TriMesh& mesh, const Weld& weld, const std::vector<int32_
 }
 
 // A surface that is there twice, front and back, balances everywhere.
-void CountRepeatedEdges(const TriMesh& mesh, SurveyRecord& record) {
+void CountRepeatedEdges(const MeshView& mesh, SurveyRecord& record) {
   SurveyRecord again;
   const Weld weld = WeldMarked(mesh, std::vector<uint8_t>(mesh.points.size(), 1));
   FindWeldedEdges(mesh, weld.weld, TrianglesAtWelds(mesh, weld.weld), DoubleEdges::kNone, again);
@@ -288,9 +289,8 @@ void CountRepeatedEdges(const TriMesh& mesh, SurveyRecord& record) {
 }
 
 // Each triangle once, if all are there more than once with the same corners in the same order around.
-std::optional<TriMesh> WithoutCopies(const TriMesh& mesh) {
-  TriMesh once;
-  once.points = mesh.points;
+std::optional<std::vector<Triangle>> WithoutCopies(const MeshView& mesh) {
+  std::vector<Triangle> once;
   PositionIndex index;
   std::vector<int32_t> number;
   for (const Point3& p : mesh.points) number.push_back(index.Insert(p));
@@ -298,13 +298,13 @@ std::optional<TriMesh> WithoutCopies(const TriMesh& mesh) {
   for (const Triangle& t : mesh.triangles) {
     Triangle corners = {number[t[0]], number[t[1]], number[t[2]]};
     std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
-    if (++count[corners] == 1) once.triangles.push_back(t);
+    if (++count[corners] == 1) once.push_back(t);
   }
   const bool all = std::ranges::all_of(count, [](const auto& of_one) { return of_one.second > 1; });
   return all ? std::optional(std::move(once)) : std::nullopt;
 }
 
-SurveyRecord SurveyAsItIs(const TriMesh& mesh, bool float32, PieceAreas areas) {
+SurveyRecord SurveyAsItIs(const MeshView& mesh, bool float32, PieceAreas areas) {
   SurveyRecord record;
   record.float32 = float32;
   record.vertex_count = static_cast<int64_t>(mesh.points.size());
@@ -334,19 +334,20 @@ SurveyRecord SurveyAsItIs(const TriMesh& mesh, bool float32, PieceAreas areas) {
 
 }  // namespace
 
-SurveyRecord SurveyTile(const TriMesh& mesh, bool float32, PieceAreas areas) {
+SurveyRecord SurveyTile(const MeshView& mesh, bool float32, PieceAreas areas) {
   SurveyRecord record = SurveyAsItIs(mesh, float32, areas);
   if (areas == PieceAreas::kNo) return record;
-  std::optional<TriMesh> other = record.repeated_edges > 0 ? WithoutCopies(mesh) : std::nullopt;
-  const int64_t copied = other ? std::ssize(mesh.triangles) - std::ssize(other->triangles) : 0;
-  if (copied > 0) record = SurveyAsItIs(*other, float32, areas);
+  std::optional<std::vector<Triangle>> other = record.repeated_edges > 0 ? WithoutCopies(mesh) : std::nullopt;
+  const int64_t copied = other ? static_cast<int64_t>(mesh.triangles.size()) - std::ssize(*other) : 0;
+  const auto survey_other = [&] { return SurveyAsItIs({mesh.points, TriangleRows(*other)}, float32, areas); };
+  if (copied > 0) record = survey_other();
   int64_t turned = 0;
   if (record.disagreeing_edges > 0) {
-    if (!other) other = mesh;
-    turned = OrientFaces(*other);
-    if (turned > 0) record = SurveyAsItIs(*other, float32, areas);
+    if (!other) other.emplace(mesh.triangles.begin(), mesh.triangles.end());
+    turned = OrientFaces(mesh.points, *other);
+    if (turned > 0) record = survey_other();
   }
-  record.triangle_count = std::ssize(mesh.triangles);
+  record.triangle_count = static_cast<int64_t>(mesh.triangles.size());
   record.copied_triangles = copied;
   record.turned_triangles = turned;
   return record;

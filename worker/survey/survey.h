@@ -2,7 +2,7 @@
 #ifndef TILEMEND_WORKER_SURVEY_SURVEY_H_
 #define TILEMEND_WORKER_SURVEY_SURVEY_H_
 
-#include "common/mesh/tri_mesh.h"
+#include "common/mesh/mesh_view.h"
 #include "common/records/survey_record.h"
 
 namespace tilemend {
@@ -19,7 +19,7 @@ enum class PieceAreas { kYes, kNo };
 // Source: Wang 2021, 3.1, without a half-edge structure of the whole tile. One pass over the triangles shows which
 // vertices are inside: their outgoing and incoming edges cancel. Only the others are looked at. Cost: linear in
 // vertices and triangles, three passes. Pure; safe from any thread.
-SurveyRecord SurveyTile(const TriMesh& mesh, bool float32, PieceAreas areas = PieceAreas::kYes);
+SurveyRecord SurveyTile(const MeshView& mesh, bool float32, PieceAreas areas = PieceAreas::kYes);
 
 }  // namespace tilemend
 

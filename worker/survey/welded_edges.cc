@@ -15,7 +15,7 @@ namespace {
 constexpr int32_t kNoWeld = -1;
 
 // The edges between welded vertices, of all triangles that have three positions.
-std::vector<HalfEdge> HalfEdgesAtWelds(const TriMesh& mesh, const std::vector<int32_t>& weld,
+std::vector<HalfEdge> HalfEdgesAtWelds(const MeshView& mesh, const std::vector<int32_t>& weld,
                                        const std::vector<int32_t>& at_weld, SurveyRecord& record) {
   std::vector<HalfEdge> edges;
   for (const int32_t i : at_weld) {
@@ -36,14 +36,14 @@ std::vector<HalfEdge> HalfEdgesAtWelds(const TriMesh& mesh, const std::vector<in
   return edges;
 }
 
-bool AreAtTheSameCorners(const TriMesh& mesh, int32_t a, int32_t b) {
+bool AreAtTheSameCorners(const MeshView& mesh, int32_t a, int32_t b) {
   return std::ranges::all_of(mesh.triangles[a], [&](int32_t v) {
     return std::ranges::any_of(mesh.triangles[b], [&](int32_t w) { return mesh.points[v] == mesh.points[w]; });
   });
 }
 
 // Whether two triangles that go the same way along an edge lie on each other: on one side of it, facing one way.
-bool LieOnEachOther(const TriMesh& mesh, const HalfEdge& a, const HalfEdge& b) {
+bool LieOnEachOther(const MeshView& mesh, const HalfEdge& a, const HalfEdge& b) {
   const auto corner = [&](const HalfEdge& e, int k) {
     return mesh.points[mesh.triangles[e.triangle][(e.place + k) % 3]];
   };
@@ -104,7 +104,7 @@ void SortByEnds(std::vector<HalfEdge>& edges) {
 // Sorts the edges of the mesh into the result, edge by edge.
 class EdgeSorter {
  public:
-  EdgeSorter(const TriMesh& mesh, DoubleEdges doubles, SurveyRecord& record)
+  EdgeSorter(const MeshView& mesh, DoubleEdges doubles, SurveyRecord& record)
       : mesh_(mesh), doubles_(doubles), record_(record) {}
 
   // The triangles at one edge.
@@ -134,7 +134,7 @@ class EdgeSorter {
   }
 
  private:
-  const TriMesh& mesh_;
+  const MeshView mesh_;
   const DoubleEdges doubles_;
   SurveyRecord& record_;
   WeldedEdges result_;
@@ -143,7 +143,7 @@ class EdgeSorter {
 
 }  // namespace
 
-WeldedEdges FindWeldedEdges(const TriMesh& mesh, const std::vector<int32_t>& weld, const std::vector<int32_t>& at_weld,
+WeldedEdges FindWeldedEdges(const MeshView& mesh, const std::vector<int32_t>& weld, const std::vector<int32_t>& at_weld,
                             DoubleEdges doubles, SurveyRecord& record) {
   std::vector<HalfEdge> edges = HalfEdgesAtWelds(mesh, weld, at_weld, record);
   SortByEnds(edges);

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/mesh/tri_mesh.h"
+#include "common/mesh/mesh_view.h"
 #include "common/records/survey_record.h"
 
 namespace tilemend {
@@ -37,7 +37,7 @@ enum class DoubleEdges {
 //   weld     the welded vertex of each vertex; -1: none (it lies within the surface)
 //   at_weld  the triangles with a welded corner
 // Cost: O(n log n) in those triangles.
-WeldedEdges FindWeldedEdges(const TriMesh& mesh, const std::vector<int32_t>& weld, const std::vector<int32_t>& at_weld,
+WeldedEdges FindWeldedEdges(const MeshView& mesh, const std::vector<int32_t>& weld, const std::vector<int32_t>& at_weld,
                             DoubleEdges doubles, SurveyRecord& record);
 
 }  // namespace tilemend

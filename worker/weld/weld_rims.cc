@@ -30,7 +30,7 @@ std::vector<int32_t> VerticesOf(const SurveyRecord& record) {
 
 class Welder {
  public:
-  Welder(const TriMesh& mesh, const SurveyRecord& record, std::span<const int32_t> face_of, double tolerance,
+  Welder(const MeshView& mesh, const SurveyRecord& record, std::span<const int32_t> face_of, double tolerance,
          bool may_split)
       : tolerance_(tolerance), may_split_(may_split), mesh_(mesh, VerticesOf(record), face_of) {
     const std::vector<int32_t>& places = mesh_.boundary();
@@ -71,7 +71,7 @@ class Welder {
   double Distance(int32_t a, int32_t b) const { return (mesh_.PositionOf(a) - mesh_.PositionOf(b)).norm(); }
 
   AlignedBox3d BoxAround(int32_t place, double reach) const {
-    const Point3 &p = mesh_.PositionOf(place), r = Point3::Constant(reach);
+    const Point3 p = mesh_.PositionOf(place), r = Point3::Constant(reach);
     return {p - r, p + r};
   }
 
@@ -167,7 +167,7 @@ class Welder {
 
   // Of a place and an edge that it lies beside; at an infinite distance else.
   Junction JunctionAt(int32_t place, const EdgeLayer::Item& item) const {
-    const Point3 &p = mesh_.PositionOf(place), &from = mesh_.PositionOf(item.a);
+    const Point3 p = mesh_.PositionOf(place), from = mesh_.PositionOf(item.a);
     const Eigen::Vector3d way = mesh_.PositionOf(item.b) - from;
     const double along = (p - from).dot(way), squared = way.squaredNorm();
     const double distance = DistanceToSegment(p, from, mesh_.PositionOf(item.b));
@@ -272,7 +272,7 @@ class Welder {
 
 }  // namespace
 
-Weld WeldRims(const TriMesh& mesh, std::span<const int32_t> face_of, double tolerance, bool may_split) {
+Weld WeldRims(const MeshView& mesh, std::span<const int32_t> face_of, double tolerance, bool may_split) {
   return Welder(mesh, SurveyTile(mesh, false), face_of, tolerance, may_split).Run();
 }
 

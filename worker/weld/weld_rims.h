@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "common/mesh/tri_mesh.h"
+#include "common/mesh/mesh_view.h"
 #include "common/records/weld.h"
 
 namespace tilemend {
@@ -31,7 +31,7 @@ struct Weld {
 //   may_split  whether edges may be split: the new half of a face has no texture coordinates
 // Zhang 2022, 4.3, merges what is nearest as well, but moves both. O(n log n); deterministic. Precondition: tolerance
 // > 0.
-Weld WeldRims(const TriMesh& mesh, std::span<const int32_t> face_of, double tolerance, bool may_split);
+Weld WeldRims(const MeshView& mesh, std::span<const int32_t> face_of, double tolerance, bool may_split);
 
 }  // namespace tilemend
 

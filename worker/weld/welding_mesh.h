@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/mesh/tri_mesh.h"
+#include "common/mesh/mesh_view.h"
 
 namespace tilemend {
 
@@ -24,15 +24,15 @@ class WeldingMesh {
     int corner = 0;
   };
 
-  // `boundary` are the vertices that may be merged, one for each position. O(n).
-  WeldingMesh(const TriMesh& mesh, std::span<const int32_t> boundary, std::span<const int32_t> face_of);
+  // `boundary` are the vertices that may be merged, one for each position. The mesh outlives this. O(n).
+  WeldingMesh(const MeshView& mesh, std::span<const int32_t> boundary, std::span<const int32_t> face_of);
 
   // The places of the boundary vertices, in their order.
   const std::vector<int32_t>& boundary() const { return boundary_; }
   // Where a place is now.
   int32_t StaysAs(int32_t place) const;
   int32_t VertexAt(int32_t place) const { return vertex_at_[place]; }
-  const Point3& PositionOf(int32_t place) const { return mesh_.points[vertex_at_[place]]; }
+  Point3 PositionOf(int32_t place) const { return mesh_.points[vertex_at_[place]]; }
   // Boundary places that were merged into one, itself first.
   std::span<const int32_t> MembersOf(int32_t place) const { return members_.at(place); }
 
@@ -74,7 +74,7 @@ class WeldingMesh {
   // Whether the triangle is a whole face of the file.
   bool IsWhole(int32_t triangle) const;
 
-  const TriMesh& mesh_;
+  MeshView mesh_;
   std::span<const int32_t> face_of_;
   std::vector<int32_t> place_of_, vertex_at_;  // by vertex; by place: the lowest
   std::vector<int32_t> boundary_;

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace tilemend {
@@ -22,12 +24,25 @@ absl::StatusOr<ArrayMesh> Made(const std::vector<double>& vertices, const std::v
   return ArrayMesh::Make(std::span(vertices), std::span(faces));
 }
 
-TEST(ArrayMeshTest, CopiesTheNumbers) {
-  const auto mesh = ArrayMesh::Make(std::span(kSquare), std::span(kTwoFaces));
-  ASSERT_TRUE(mesh.ok()) << mesh.status();
-  EXPECT_THAT(mesh->mesh().points, ElementsAre(Point3(0, 0, 0), Point3(1, 0, 0), Point3(1, 1, 0), Point3(0, 1, 0)));
-  EXPECT_THAT(mesh->mesh().triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}));
-  EXPECT_EQ(mesh->originals(), 2);
+std::vector<double> DoublesOf(const ArrayMesh& mesh) { return std::get<std::vector<double>>(mesh.Filled().vertices); }
+
+TEST(ArrayMeshTest, ReadsNumbersOfAnyTypeWhereTheyLie) {
+  const auto expect_in_place = [](auto vertices, auto faces) {
+    const auto mesh = ArrayMesh::Make(std::span(std::as_const(vertices)), std::span(std::as_const(faces)));
+    ASSERT_TRUE(mesh.ok()) << mesh.status();
+    const HeldMesh held = mesh->Mesh().value();
+    EXPECT_EQ(held.view.points.data(), vertices.data());
+    EXPECT_EQ(held.view.triangles.data(), faces.data());
+    EXPECT_EQ(held.view.points[2], Point3(1, 1, 0));
+    EXPECT_EQ(held.view.triangles[1], (Triangle{0, 2, 3}));
+    EXPECT_EQ(std::get<decltype(vertices)>(mesh->Filled().vertices), vertices);
+    EXPECT_EQ(mesh->Filled().faces, kTwoFaces);
+  };
+  expect_in_place(kSquare, kTwoFaces);
+  expect_in_place(kSquare, std::vector<int64_t>(kTwoFaces.begin(), kTwoFaces.end()));
+  expect_in_place(kSquare, std::vector<uint64_t>(kTwoFaces.begin(), kTwoFaces.end()));
+  expect_in_place(std::vector<float>(kSquare.begin(), kSquare.end()),
+                  std::vector<uint32_t>(kTwoFaces.begin(), kTwoFaces.end()));
 }
 
 TEST(ArrayMeshTest, NamesTheNumberThatIsWrong) {
@@ -54,10 +69,10 @@ TEST(ArrayMeshTest, NewCoordinatesAreRoundedToTheNumberTypeOfTheVertices) {
   patch.triangles = {{0, 1, 4}};
   ASSERT_TRUE(narrow->Append(patch).ok());
   ASSERT_TRUE(wide->Append(patch).ok());
-  EXPECT_EQ(narrow->mesh().points[4].x(), static_cast<double>(0.1F));
-  EXPECT_EQ(wide->mesh().points[4].x(), 0.1);
-  EXPECT_EQ(wide->originals(), 2);
-  EXPECT_EQ(wide->mesh().triangles.size(), 3);
+  EXPECT_EQ(std::get<std::vector<float>>(narrow->Filled().vertices)[12], 0.1F);
+  EXPECT_EQ(DoublesOf(*wide)[12], 0.1);
+  EXPECT_EQ(wide->Filled().originals, 2);
+  EXPECT_THAT(wide->Filled().faces, ElementsAre(0, 1, 2, 0, 2, 3, 0, 1, 4));
 }
 
 TEST(ArrayMeshTest, ClearCountsWhatEachAreaTakesOut) {
@@ -67,9 +82,9 @@ TEST(ArrayMeshTest, ClearCountsWhatEachAreaTakesOut) {
   const auto cleared = mesh->Clear(std::vector<ClearArea>{nowhere, all});
   ASSERT_TRUE(cleared.ok());
   EXPECT_THAT(*cleared, ElementsAre(0, 2));
-  EXPECT_TRUE(mesh->mesh().triangles.empty());
-  EXPECT_EQ(mesh->originals(), 0);
-  EXPECT_EQ(mesh->mesh().points.size(), 4);
+  EXPECT_TRUE(mesh->Filled().faces.empty());
+  EXPECT_EQ(mesh->Filled().originals, 0);
+  EXPECT_EQ(DoublesOf(*mesh), kSquare);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ TEST(HeightTalliesTest, AreThoseOfEachPolygon) {
   EXPECT_TRUE(tallies[4].area_of_bin.empty());
 }
 
-TEST(HeightTalliesTest, WithoutPolygonsThereIsNone) { EXPECT_TRUE(TallyHeightsIn({}, {}).empty()); }
+TEST(HeightTalliesTest, WithoutPolygonsThereIsNone) { EXPECT_TRUE(TallyHeightsIn(TriMesh(), {}).empty()); }
 
 }  // namespace
 }  // namespace tilemend

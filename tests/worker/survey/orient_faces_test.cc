@@ -14,9 +14,9 @@ TEST(OrientFacesTest, TurnsTheFewerOnesBackInEachPiece) {
   TriMesh mesh = expected;
   std::swap(mesh.triangles[0][1], mesh.triangles[0][2]);
   std::swap(mesh.triangles.back()[1], mesh.triangles.back()[2]);
-  EXPECT_EQ(OrientFaces(mesh), 2);
+  EXPECT_EQ(OrientFaces(PointRows(mesh.points), mesh.triangles), 2);
   EXPECT_EQ(mesh.triangles, expected.triangles);
-  EXPECT_EQ(OrientFaces(mesh), 0);
+  EXPECT_EQ(OrientFaces(PointRows(mesh.points), mesh.triangles), 0);
 }
 
 TEST(OrientFacesTest, LeavesASurfaceWithOneSide) {
@@ -24,7 +24,7 @@ TEST(OrientFacesTest, LeavesASurfaceWithOneSide) {
   strip.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 2}, {0, 2, 3}};
   strip.triangles = {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}};
   const TriMesh before = strip;
-  EXPECT_EQ(OrientFaces(strip), 0);
+  EXPECT_EQ(OrientFaces(PointRows(strip.points), strip.triangles), 0);
   EXPECT_EQ(strip.triangles, before.triangles);
 }
 

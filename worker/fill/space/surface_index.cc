@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <utility>
 
 namespace tilemend {
 namespace {
 
 constexpr double kTrianglesPerBin = 16;
 
-Eigen::AlignedBox3d BoxOf(const TriMesh& mesh, const Triangle& t) {
+Eigen::AlignedBox3d BoxOf(const MeshView& mesh, const Triangle& t) {
   Eigen::AlignedBox3d box(mesh.points[t[0]]);
   box.extend(mesh.points[t[1]]);
   box.extend(mesh.points[t[2]]);
@@ -20,7 +19,7 @@ Eigen::AlignedBox3d BoxOf(const TriMesh& mesh, const Triangle& t) {
 
 Eigen::AlignedBox2d SeenFromAbove(const Eigen::AlignedBox3d& box) { return {box.min().head<2>(), box.max().head<2>()}; }
 
-BinGrid BinsOf(const TriMesh& mesh) {
+BinGrid BinsOf(const MeshView& mesh) {
   Eigen::AlignedBox3d all;
   for (const Point3& p : mesh.points) all.extend(p);
   if (all.isEmpty()) all.extend(Point3(0, 0, 0));
@@ -34,7 +33,7 @@ BinGrid BinsOf(const TriMesh& mesh) {
 
 }  // namespace
 
-SurfaceIndex::SurfaceIndex(TriMesh mesh) : mesh_(std::move(mesh)), bins_(BinsOf(mesh_)) {}
+SurfaceIndex::SurfaceIndex(const MeshView& mesh) : mesh_(mesh), bins_(BinsOf(mesh_)) {}
 
 void SurfaceIndex::AppendNear(const Point3& lo, const Point3& hi, std::vector<SpaceTriangle>& found) const {
   const Eigen::AlignedBox3d wanted(lo, hi);
