@@ -22,13 +22,15 @@ constexpr double kApart = 0.1;
 constexpr double kFillApart = 0.02;
 
 constexpr char kLegend[] =
-    "apart: of tiles that overlap, how far one surface is from the other at half of the places, and at nine in ten;\n"
-    "of others, how far they end from each other. fill: the same of the fill, and at 99 % of the places.\n";
+    "apart: of tiles that overlap, how far one surface is from the other at half of\n"
+    "the places, and at nine in ten; of others, how far they end from each other.\n"
+    "fill: the same of the fill, and at 99 % of the places.\n";
 
 // Where coordinator/waves/fill_gaps.h measures, and where `check` does: their figures differ.
 constexpr char kFillPlaces[] =
     "these places lie along the whole border, where both tiles have a fill.\n"
-    "`tilemend check` measures only where one fill ends: up or down from its edge to the other fill.\n";
+    "`tilemend check` measures only where one fill ends:\n"
+    "up or down from its edge to the other fill.\n";
 
 // Of tiles that overlap, how far one surface is from the other, in the median; of those with a gap, its width. How far
 // they overlap is no fault.

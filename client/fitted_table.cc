@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string_view>
 
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_split.h"
 #include "client/output.h"
 #include "common/util/text.h"
 
@@ -13,6 +16,12 @@ constexpr size_t kBetween = 2;  // columns of the terminal
 constexpr size_t kEasy = 20, kLeast = 8;
 
 using Rows = std::vector<std::vector<std::string>>;
+
+void MakePrintable(Rows& rows) {
+  for (auto& row : rows) {
+    for (std::string& cell : row) cell = Printable(cell);
+  }
+}
 
 size_t WidthOf(const std::vector<FittedColumn>& table, const Rows& rows, size_t column) {
   size_t width = table[column].heading.size();
@@ -43,6 +52,27 @@ void Squeeze(const std::vector<FittedColumn>& table, Rows& rows, size_t columns,
   }
 }
 
+// Broken between words into lines of at most `columns`, where no word is longer.
+std::string Indented(const std::string& text, size_t columns) {
+  constexpr std::string_view kIndent = "      ";
+  std::string lines, line(kIndent);
+  for (const absl::string_view word : absl::StrSplit(text, ' ', absl::SkipEmpty())) {
+    const bool is_first = line.size() == kIndent.size();
+    const std::string longer = absl::StrCat(line, is_first ? "" : " ", word);
+    if (is_first || ColumnsOf(longer) <= columns) {
+      line = longer;
+    } else {
+      absl::StrAppend(&lines, line, "\n");
+      line = absl::StrCat(std::string(kIndent), word);
+    }
+  }
+  return line.size() == kIndent.size() ? lines : absl::StrCat(lines, line, "\n");
+}
+
+std::string Joined(const std::string& text, const std::string& more) {
+  return absl::StrCat(text, text.empty() || more.empty() ? "" : "; ", more);
+}
+
 // False if every column is needed.
 bool LeaveOutOne(std::vector<FittedColumn>& table, Rows& rows) {
   const auto spare =
@@ -57,9 +87,7 @@ bool LeaveOutOne(std::vector<FittedColumn>& table, Rows& rows) {
 }  // namespace
 
 std::string FittedTable(std::vector<FittedColumn> table, Rows rows, size_t columns) {
-  for (auto& row : rows) {
-    for (std::string& cell : row) cell = Printable(cell);
-  }
+  MakePrintable(rows);
   if (columns > 0) {
     Squeeze(table, rows, columns, kEasy);
     while (Excess(table, rows, columns) > 0 && LeaveOutOne(table, rows)) {
@@ -69,6 +97,28 @@ std::string FittedTable(std::vector<FittedColumn> table, Rows rows, size_t colum
   std::vector<std::string> headings;
   for (const FittedColumn& column : table) headings.push_back(column.heading);
   return Table(headings, rows);
+}
+
+std::string TableWithTexts(std::vector<std::string> headings, Rows rows, size_t columns) {
+  std::vector<FittedColumn> table;
+  for (const std::string& heading : headings) table.push_back({heading});
+  MakePrintable(rows);
+  if (columns == 0 || Excess(table, rows, columns) == 0) return Table(headings, rows);
+  std::vector<std::string> texts(rows.size() + 1);  // the first is of the headings
+  while (table.size() > 1 && Excess(table, rows, columns) > 0) {
+    table.pop_back();
+    texts[0] = Joined(headings.back(), texts[0]);
+    headings.pop_back();
+    for (size_t i = 0; i < rows.size(); ++i) {
+      texts[i + 1] = Joined(rows[i].back(), texts[i + 1]);
+      rows[i].pop_back();
+    }
+  }
+  const std::string narrow = Table(headings, rows);
+  const std::vector<std::string> lines = absl::StrSplit(narrow, '\n', absl::SkipEmpty());
+  std::string text;
+  for (size_t i = 0; i < lines.size(); ++i) absl::StrAppend(&text, lines[i], "\n", Indented(texts[i], columns));
+  return text;
 }
 
 }  // namespace tilemend

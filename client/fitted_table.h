@@ -19,6 +19,12 @@ struct FittedColumn {
 // squeezed to 8.
 std::string FittedTable(std::vector<FittedColumn> table, std::vector<std::vector<std::string>> rows, size_t columns);
 
+// As Table, of rows that end with a text. With `columns` > 0, the texts stand below their rows if a line would be
+// longer than that. They are broken between words then. If that is not enough, so do the columns before the last, one
+// by one.
+std::string TableWithTexts(std::vector<std::string> headings, std::vector<std::vector<std::string>> rows,
+                           size_t columns);
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_CLIENT_FITTED_TABLE_H_

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
+#include "client/fitted_table.h"
 #include "client/output.h"
 #include "coordinator/report/json_access.h"
 
@@ -38,14 +40,15 @@ std::string HoleColumns::Rim(const Json& hole) const {
   return Decimals(Member(hole, "perimeter_m"), is_mesh_ ? rim_decimals_ : 1);
 }
 
-std::string HoleColumns::TableOf(std::vector<std::string> headings, std::vector<std::vector<std::string>> rows) const {
+std::string HoleColumns::TableOf(std::vector<std::string> headings, std::vector<std::vector<std::string>> rows,
+                                 size_t terminal_columns) const {
   const auto cell = std::ranges::find(headings, "cell");
   if (is_mesh_ && cell != headings.end()) {
     const std::ptrdiff_t at = cell - headings.begin();
     headings.erase(cell);
     for (std::vector<std::string>& row : rows) row.erase(row.begin() + at);
   }
-  return Table(headings, rows);
+  return TableWithTexts(std::move(headings), std::move(rows), terminal_columns);
 }
 
 }  // namespace tilemend

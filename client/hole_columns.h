@@ -2,6 +2,7 @@
 #ifndef TILEMEND_CLIENT_HOLE_COLUMNS_H_
 #define TILEMEND_CLIENT_HOLE_COLUMNS_H_
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -22,8 +23,9 @@ class HoleColumns {
   // Of an area in square metres.
   std::string Area(double area) const;
 
-  // Table (output.h), for a mesh without the column "cell".
-  std::string TableOf(std::vector<std::string> headings, std::vector<std::vector<std::string>> rows) const;
+  // TableWithTexts, for a mesh without the column "cell".
+  std::string TableOf(std::vector<std::string> headings, std::vector<std::vector<std::string>> rows,
+                      size_t terminal_columns = 0) const;
 
  private:
   bool is_mesh_ = false;

@@ -11,6 +11,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
+#include "client/fitted_table.h"
 #include "client/hole_columns.h"
 #include "client/output.h"
 #include "client/repeated_reasons.h"
@@ -25,9 +26,9 @@ using Json = nlohmann::ordered_json;
 using Rows = std::vector<std::vector<std::string>>;
 
 constexpr char kLegend[] =
-    "closed: inside one cell. I, II: over a grid line, counted in every cell; II reaches the rim of the area.\n"
-    "In its cell a hole of type A leaves no surface, B one, C crosses it from side to side, D cuts off a corner or\n"
-    "peninsula.\n";
+    "closed: inside one cell. I, II: over a grid line, counted in every cell;\n"
+    "II reaches the rim of the area. In its cell a hole of type A leaves no surface,\n"
+    "B one, C crosses it from side to side, D cuts off a corner or peninsula.\n";
 
 constexpr std::ptrdiff_t kCrossingsColumn = 6;  // of the fills to decide on
 
@@ -158,7 +159,7 @@ std::string MethodsText(const Json& report) {
   return rows.empty() ? "" : absl::StrCat("\n", Table({"how filled", "holes", "area, m2"}, rows));
 }
 
-std::string LargeHolesText(const Json& report) {
+std::string LargeHolesText(const Json& report, size_t terminal_columns) {
   const std::vector<const Json*> holes =
       HolesByArea(report, [](const Json& hole) { return IsFilled(hole) && !Member(hole, "water").is_null(); });
   if (holes.empty()) return "";
@@ -172,11 +173,11 @@ std::string LargeHolesText(const Json& report) {
   return absl::StrCat(
       "\n", holes.size(),
       holes.size() == 1 ? " large hole or part of a large hole\n" : " large holes or parts of large holes\n",
-      Table({"hole", "cell", "centre, m", "area, m2", "filled as", "because"}, rows),
+      TableWithTexts({"hole", "cell", "centre, m", "area, m2", "filled as", "because"}, rows, terminal_columns),
       MoreText(holes.size(), "see `water` of per_hole in the report"));
 }
 
-std::string ReviewText(const Json& report) {
+std::string ReviewText(const Json& report, size_t terminal_columns) {
   const size_t count = FillsToDecideOn(report);
   if (count == 0) return "";
   const HoleColumns columns(report);
@@ -195,11 +196,11 @@ std::string ReviewText(const Json& report) {
     headings.erase(headings.begin() + kCrossingsColumn);
     for (std::vector<std::string>& row : rows) row.erase(row.begin() + kCrossingsColumn);
   }
-  return absl::StrCat("\n", Counted(count, "fill"), " to decide on\n", Table(headings, rows),
+  return absl::StrCat("\n", Counted(count, "fill"), " to decide on\n", TableWithTexts(headings, rows, terminal_columns),
                       MoreText(count, "see `review` in the report"));
 }
 
-std::string LookAtText(const Json& report) {
+std::string LookAtText(const Json& report, size_t terminal_columns) {
   std::set<Json> queued;
   for (const Json& item : Member(report, "review")) queued.merge(HoleIdsOf(item));
   const auto is_queued = [&](const Json& hole) { return queued.contains(hole); };
@@ -214,11 +215,11 @@ std::string LookAtText(const Json& report) {
   if (rows.empty()) return "";
   ShortenRepeated(rows);
   return absl::StrCat("\n", Counted(places, "place"), " to look at\n",
-                      Table({"hole", "cell", "centre, m", "area, m2", "why"}, rows),
+                      TableWithTexts({"hole", "cell", "centre, m", "area, m2", "why"}, rows, terminal_columns),
                       MoreText(places, "see `look_at` in the report"));
 }
 
-std::string PlannedHolesText(const Json& plan) {
+std::string PlannedHolesText(const Json& plan, size_t terminal_columns) {
   const std::vector<const Json*> holes =
       HolesByArea(plan, [](const Json& hole) { return Member(hole, "reason").is_null(); });
   if (holes.empty()) return "";
@@ -233,7 +234,8 @@ std::string PlannedHolesText(const Json& plan) {
   ShortenRepeated(rows);
   return absl::StrCat(
       "\n", Counted(holes.size(), "hole"), " to fill, the largest first; filling may find some that stay open\n",
-      columns.TableOf({"hole", "kind", "cell", "centre, m", "area, m2", "rim, m", "taken for", "because"}, rows),
+      columns.TableOf({"hole", "kind", "cell", "centre, m", "area, m2", "rim, m", "taken for", "because"}, rows,
+                      terminal_columns),
       MoreText(holes.size(), "-o json lists all"));
 }
 

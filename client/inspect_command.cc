@@ -1,4 +1,6 @@
 // `tilemend inspect`: what a scene or a mesh holds, without writing anything.
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -32,6 +34,7 @@
 #include "common/util/files.h"
 #include "common/util/folders.h"
 #include "common/util/object_store.h"
+#include "common/util/standard_streams.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "coordinator/plan/rim/area_proposal.h"
@@ -109,8 +112,9 @@ std::string HolesLine(const Json& plan) {
 }
 
 std::string PlanText(const Json& plan) {
-  return absl::StrCat(PlannedHolesText(plan), WaterText(plan, "to fill flat as water"), LookAtText(plan),
-                      LeftText(plan, "left open"));
+  const size_t columns = ColumnsOfTerminal(STDOUT_FILENO);
+  return absl::StrCat(PlannedHolesText(plan, columns), WaterText(plan, "to fill flat as water", columns),
+                      LookAtText(plan, columns), LeftText(plan, "left open", columns));
 }
 
 std::string SceneText(const Inspection& inspection, const Json& plan) {

@@ -59,7 +59,7 @@ absl::StatusOr<Json> ReportOf(const v1::Job& job) {
   return absl::InvalidArgumentError(absl::StrCat(job.report(), ": not a report"));
 }
 
-std::string ClusterEndText(const v1::Job& job) {
+std::string ClusterEndText(const v1::Job& job, size_t columns) {
   if (job.report().empty()) return "";
   const std::string command = absl::StrCat("tilemend report ", Printable(ShellWord(job.spec().out())));
   const auto report = ReportOf(job);
@@ -71,7 +71,8 @@ std::string ClusterEndText(const v1::Job& job) {
     return absl::StrCat(
         "\nwarnings: the report there is of another job in the same folder by now\nthat report: ", command, "\n");
   }
-  return absl::StrCat(SummaryText(*report), "\npage: ", command, " --html (writes it; it opens in a browser)\n",
+  return absl::StrCat(SummaryText(*report, columns), "\npage: ", command,
+                      " --html (writes it; it opens in a browser)\n",
                       CanBeChecked(job) ? CheckLine(job.spec().scene(), job.spec().out()) : "");
 }
 

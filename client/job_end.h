@@ -2,6 +2,7 @@
 #ifndef TILEMEND_CLIENT_JOB_END_H_
 #define TILEMEND_CLIENT_JOB_END_H_
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -21,8 +22,9 @@ bool CanBeChecked(const v1::Job& job);
 absl::StatusOr<nlohmann::ordered_json> ReportOf(const v1::Job& job);
 
 // Of a job of a cluster: the summary of its report, and the commands that make the page and check the output. If this
-// machine cannot read that report, says where it can be seen. "" of a job without a report.
-std::string ClusterEndText(const v1::Job& job);
+// machine cannot read that report, says where it can be seen. "" of a job without a report. `columns` as of
+// SummaryText.
+std::string ClusterEndText(const v1::Job& job, size_t columns = 0);
 
 }  // namespace tilemend
 

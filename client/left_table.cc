@@ -6,6 +6,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "client/fitted_table.h"
 #include "client/hole_columns.h"
 #include "client/output.h"
 #include "client/repeated_reasons.h"
@@ -38,12 +39,14 @@ std::vector<std::string> Row(const Json& item, const std::map<std::string, const
           Text(Member(item, "reason"))};
 }
 
-std::string NotHolesText(const Json& report) {
+std::string NotHolesText(const Json& report, size_t columns) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& row : Member(report, "not_holes")) {
     rows.push_back({Text(Member(row, "count")), Text(Member(row, "open_edges")), Text(Member(row, "what"))});
   }
-  return rows.empty() ? "" : absl::StrCat("\nopen, but no holes\n", Table({"number", "edges", "what"}, rows));
+  return rows.empty()
+             ? ""
+             : absl::StrCat("\nopen, but no holes\n", TableWithTexts({"number", "edges", "what"}, rows, columns));
 }
 
 // Of the boundary's vertices.
@@ -55,7 +58,7 @@ Point3 MiddleOf(const Plan& plan, const PlannedHole& hole) {
 
 }  // namespace
 
-std::string LeftText(const Json& report, const std::string& title) {
+std::string LeftText(const Json& report, const std::string& title, size_t terminal_columns) {
   std::vector<Json> items;
   for (const Json& item : Member(report, "left")) {
     if (item.is_object()) items.push_back(item);
@@ -68,11 +71,12 @@ std::string LeftText(const Json& report, const std::string& title) {
     std::vector<std::vector<std::string>> rows;
     for (size_t i = 0; i < std::min(items.size(), kMostListedRows); ++i) rows.push_back(Row(items[i], holes, columns));
     ShortenRepeated(rows);
-    absl::StrAppend(&text, "\n", items.size(), " ", title, "\n",
-                    columns.TableOf({"hole", "cell", "centre, m", "area, m2", "edges", "reason"}, rows),
-                    MoreText(items.size(), "see `left` in the report"));
+    absl::StrAppend(
+        &text, "\n", items.size(), " ", title, "\n",
+        columns.TableOf({"hole", "cell", "centre, m", "area, m2", "edges", "reason"}, rows, terminal_columns),
+        MoreText(items.size(), "see `left` in the report"));
   }
-  return text + NotHolesText(report);
+  return text + NotHolesText(report, terminal_columns);
 }
 
 std::string LeftLines(const SceneReportInput& report) {

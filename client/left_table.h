@@ -2,6 +2,7 @@
 #ifndef TILEMEND_CLIENT_LEFT_TABLE_H_
 #define TILEMEND_CLIENT_LEFT_TABLE_H_
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -11,8 +12,8 @@ namespace tilemend {
 
 // An empty line, the number of rows of `left` with `title` behind it ("left"), and the rows. Holes come first, with
 // their id, cell, centre and area, at most kMostListedRows. Then comes what is open but no hole, counted by what it is.
-// Empty without rows.
-std::string LeftText(const nlohmann::ordered_json& report, const std::string& title);
+// Empty without rows. `columns`: those of a terminal, which the tables keep to (TableWithTexts); 0: none.
+std::string LeftText(const nlohmann::ordered_json& report, const std::string& title, size_t columns = 0);
 
 // For a mesh without a scene, a line each: the holes that stay open, with where each is and why. The last line counts
 // those that stay open as chosen (--largest-hole).

@@ -1,4 +1,6 @@
 // `tilemend report`: what report.json says, for people.
+#include <unistd.h>
+
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -11,6 +13,7 @@
 #include "client/report_text.h"
 #include "client/unfinished.h"
 #include "common/util/files.h"
+#include "common/util/standard_streams.h"
 #include "common/util/text.h"
 #include "coordinator/report/json_access.h"
 #include "coordinator/report/shallow_json.h"
@@ -53,7 +56,8 @@ int ReportCommand(const Args& args) {
     std::fprintf(stderr, "tilemend: wrote %s\n", Printable(page.string()).c_str());
     if (*format != OutputFormat::kJson) return kExitDone;  // the page is in place of the text
   }
-  std::fputs((*format == OutputFormat::kJson ? *content : ReportText(report)).c_str(), stdout);
+  std::fputs((*format == OutputFormat::kJson ? *content : ReportText(report, ColumnsOfTerminal(STDOUT_FILENO))).c_str(),
+             stdout);
   return kExitDone;
 }
 

@@ -139,14 +139,15 @@ std::string FiguresText(const Json& report) {
 
 }  // namespace
 
-std::string SummaryText(const Json& report) {
+std::string SummaryText(const Json& report, size_t columns) {
   return absl::StrCat(WarningsText(report), ClearedText(report), LevelsText(report), KindsText(report),
-                      MethodsText(report), LargeHolesText(report), WaterText(report, "filled flat as water"),
-                      BordersText(report), ReviewText(report), LookAtText(report), LeftText(report, "left"));
+                      MethodsText(report), LargeHolesText(report, columns),
+                      WaterText(report, "filled flat as water", columns), BordersText(report),
+                      ReviewText(report, columns), LookAtText(report, columns), LeftText(report, "left", columns));
 }
 
-std::string ReportText(const Json& report) {
-  return absl::StrCat(HeadText(report), SummaryText(report), TensionText(report), FiguresText(report));
+std::string ReportText(const Json& report, size_t columns) {
+  return absl::StrCat(HeadText(report), SummaryText(report, columns), TensionText(report), FiguresText(report));
 }
 
 }  // namespace tilemend

@@ -25,6 +25,7 @@
 #include "common/util/folders.h"
 #include "common/util/heap.h"
 #include "common/util/signals.h"
+#include "common/util/standard_streams.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "coordinator/api/coordinator.h"
@@ -166,7 +167,8 @@ void PrintEnd(const v1::Job& job, OutputFormat format, bool is_brief, const std:
     PrintError(report.status());
     return;
   }
-  std::fputs((is_brief ? ResultText(*report) : SummaryText(*report)).c_str(), stdout);
+  const size_t columns = ColumnsOfTerminal(STDOUT_FILENO);
+  std::fputs((is_brief ? ResultText(*report, columns) : SummaryText(*report, columns)).c_str(), stdout);
   if (!page.empty()) std::printf("\npage: %s (open it in a browser)\n", Printable(page).c_str());
 }
 

@@ -72,10 +72,10 @@ std::string StageText(const v1::Job& job) {
   return name;
 }
 
-std::string ResultText(const Json& report) {
+std::string ResultText(const Json& report, size_t columns) {
   return absl::StrCat(FilledText(report), KeptText(report), WarningLines(report),
-                      WaterText(report, "filled flat as water"), ReviewText(report), LookAtText(report),
-                      LeftText(report, "left open"));
+                      WaterText(report, "filled flat as water", columns), ReviewText(report, columns),
+                      LookAtText(report, columns), LeftText(report, "left open", columns));
 }
 
 RunDisplay::RunDisplay() : begin_(absl::Now()) {}

@@ -2,6 +2,7 @@
 #ifndef TILEMEND_CLIENT_RUN_DISPLAY_H_
 #define TILEMEND_CLIENT_RUN_DISPLAY_H_
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -13,8 +14,8 @@ namespace tilemend {
 // "fill the holes, 12 of 85 holes": the stage of the job and how far it is.
 std::string StageText(const v1::Job& job);
 
-// The end of a run: what was filled, the levels of water, what to look at, what is left.
-std::string ResultText(const nlohmann::ordered_json& report);
+// The end of a run: what was filled, the levels of water, what to look at, what is left. `columns` as of SummaryText.
+std::string ResultText(const nlohmann::ordered_json& report, size_t columns = 0);
 
 // One moving line on stderr, which stays with its seconds when the next stage begins. For a terminal.
 class RunDisplay {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "client/fitted_table.h"
 #include "client/output.h"
 #include "coordinator/report/json_access.h"
 
@@ -42,9 +43,17 @@ std::vector<std::string> Row(const Json& body) {
           RisesOf(body)};
 }
 
+// Rises first go where there is no room, if there are none.
+std::vector<FittedColumn> ColumnsFor(const std::vector<std::vector<std::string>>& rows) {
+  const bool has_rises = std::ranges::any_of(rows, [](const auto& row) { return !row.back().empty(); });
+  return {{"water"},           {"level, m"},   {"area, m2"},
+          {"cells", 1},        {"sigma, m"},   {"rim, m"},
+          {"rim vertices", 3}, {"decided by"}, {"rises removed", has_rises ? 2 : 4}};
+}
+
 }  // namespace
 
-std::string WaterText(const Json& report, const std::string& title) {
+std::string WaterText(const Json& report, const std::string& title, size_t columns) {
   std::vector<Json> bodies;
   for (const Json& body : Member(report, "water")) {
     if (body.is_object()) bodies.push_back(body);
@@ -53,10 +62,7 @@ std::string WaterText(const Json& report, const std::string& title) {
   std::stable_sort(bodies.begin(), bodies.end(), [](const Json& a, const Json& b) { return AreaOf(a) > AreaOf(b); });
   std::vector<std::vector<std::string>> rows;
   for (size_t i = 0; i < std::min(bodies.size(), kMostListedRows); ++i) rows.push_back(Row(bodies[i]));
-  return absl::StrCat("\n", bodies.size(), " ", title, "\n",
-                      Table({"water", "level, m", "area, m2", "cells", "sigma, m", "rim, m", "rim vertices",
-                             "decided by", "rises removed"},
-                            rows),
+  return absl::StrCat("\n", bodies.size(), " ", title, "\n", FittedTable(ColumnsFor(rows), rows, columns),
                       MoreText(bodies.size(), "see `water` in the report"));
 }
 

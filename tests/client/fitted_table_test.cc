@@ -62,5 +62,46 @@ TEST(FittedTableTest, WhatIsSqueezedIsPrintable) {
   EXPECT_EQ(text, "A\n\\x1...aaaaaa\n");
 }
 
+const Rows kTexts = {{"7", "12.5", "its rim is too short to tell a level"}, {"12", "3.0", ""}, {"3", "1.0", "[1]"}};
+
+TEST(TableWithTextsTest, TextsStandBesideTheirRowsWhereThereIsRoom) {
+  const std::string beside =
+      "hole  area  because\n"
+      "   7  12.5  its rim is too short to tell a level\n"
+      "  12   3.0\n"
+      "   3   1.0  [1]\n";
+  EXPECT_EQ(TableWithTexts({"hole", "area", "because"}, kTexts, 0), beside);
+  EXPECT_EQ(TableWithTexts({"hole", "area", "because"}, kTexts, 48), beside);
+}
+
+TEST(TableWithTextsTest, ElseTheyStandBelowBrokenBetweenWords) {
+  EXPECT_EQ(TableWithTexts({"hole", "area", "because"}, kTexts, 30),
+            "hole  area\n"
+            "      because\n"
+            "   7  12.5\n"
+            "      its rim is too short to\n"
+            "      tell a level\n"
+            "  12   3.0\n"
+            "   3   1.0\n"
+            "      [1]\n");
+}
+
+TEST(TableWithTextsTest, AsManyColumnsStandBelowAsNeeded) {
+  EXPECT_EQ(TableWithTexts({"hole", "taken for", "because"}, {{"7", "lake at 4 m", "level"}, {"8", "", "no rim"}}, 16),
+            "hole\n"
+            "      taken for;\n"
+            "      because\n"
+            "   7\n"
+            "      lake at 4\n"
+            "      m; level\n"
+            "   8\n"
+            "      no rim\n");
+}
+
+TEST(TableWithTextsTest, WhatIsBrokenIsPrintable) {
+  EXPECT_EQ(TableWithTexts({"a", "b"}, {{"x", "one\ntwo three"}}, 16),
+            "a\n      b\nx\n      one\\x0atwo\n      three\n");
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <string>
 
+#include "absl/strings/str_split.h"
+
 namespace tilemend {
 namespace {
 
@@ -110,12 +112,11 @@ TEST(SummaryTextTest, TellsHowFarFillsAreApart) {
           {"cells": [[1, 0], [2, 0]], "kind": "overlap", "offset_m": 0.5,
            "fill_apart_m": {"median": 0.002, "ninth_decile": 0.012, "percentile_99": 0.25, "places": 9}}])");
   const std::string text = SummaryText(report);
-  EXPECT_THAT(
-      text,
-      HasSubstr("fills overlap at 2 borders: at most 0.250 m apart at 99 % of the places of each\n"
-                "these places lie along the whole border, where both tiles have a fill.\n"
-                "`tilemend check` measures only where one fill ends: up or down from its edge to the other fill.\n"
-                "1 pair"));
+  EXPECT_THAT(text, HasSubstr("fills overlap at 2 borders: at most 0.250 m apart at 99 % of the places of each\n"
+                              "these places lie along the whole border, where both tiles have a fill.\n"
+                              "`tilemend check` measures only where one fill ends:\n"
+                              "up or down from its edge to the other fill.\n"
+                              "1 pair"));
   EXPECT_THAT(text, HasSubstr("[1,0] [2,0]  overlap         0.500     0.000             0.002    0.012    0.250\n"));
 }
 
@@ -138,6 +139,18 @@ TEST(SummaryTextTest, IsShortHoweverMuchThereIs) {
   const std::string text = SummaryText(report);
   EXPECT_LT(std::count(text.begin(), text.end(), '\n'), 180);
   EXPECT_THAT(text, HasSubstr("and 972 more; see `left` in the report\n"));
+}
+
+TEST(SummaryTextTest, NoLineOfATableIsLongerThanTheTerminal) {
+  Json report = Report();
+  report.erase("warnings");
+  report["review"] = Json::parse(R"([{"hole": 3, "cell": [0, 1], "centre": [60, 160], "area_m2": 128, "doubt_m3": 60.5,
+    "taken_for": "ground", "reason": "its rim is too short: 11 places tell its level, 20 are needed"}])");
+  const std::string text = SummaryText(report, 80);
+  for (const absl::string_view line : absl::StrSplit(text, '\n')) EXPECT_LE(line.size(), 80) << line;
+  EXPECT_THAT(text, HasSubstr("\n      its rim is too short: 11 places tell its level, 20 are needed\n"));
+  EXPECT_THAT(text, HasSubstr("\nwater  level, m"));
+  EXPECT_THAT(SummaryText(report), HasSubstr("60.5  its rim is too short"));
 }
 
 TEST(SummaryTextTest, OfAnEmptyOrOldReportIsEmpty) {
