@@ -192,12 +192,26 @@ expect(await tab.locator('svg.map rect.empty').count() === 0 && !(await tab.loca
   'a cell that has got a tile by its fill is shown without one');
 await tab.unroute('**/cells');
 
-// A partial job says what is left, and looks so.
-await tab.route('**/v1/jobs?*', async (route) => {
+// Has the list of jobs tell something else of the chosen one.
+const tell = (change) => tab.route('**/v1/jobs?*', async (route) => {
   const answer = await route.fetch({ headers: { ...route.request().headers(), 'if-none-match': '' } }), list = await answer.json();
-  for (const j of list.jobs) if (j.name === chosen) Object.assign(j, { state: 'PARTIAL', progress: { ...j.progress, holes: '5', holesFilled: '3' } });
+  for (const j of list.jobs) if (j.name === chosen) change(j);
   await route.fulfill({ json: list });
 });
+
+// How fast a job goes and how long it takes is told in its first stage, where no cell is written yet: a third is done.
+const began = Date.now() - 20_000;
+await tell((j) => Object.assign(j, { state: 'RUNNING', createTime: new Date(began).toISOString(),
+  progress: { ...j.progress, phase: 'survey', cells: '90', cellsDone: '0', tasks: '90', tasksDone: '90' } }));
+const speed = tab.locator('.job.chosen .speed');
+await speed.filter({ hasText: /^[0-9.]+ tasks\/s, \d+ (s|min .*) left$/ }).waitFor({ timeout: 20000 })
+  .catch(async () => expect(false, `a job in its first stage does not say how long it takes: ${await speed.innerText()}`));
+const share = await tab.locator('.job.chosen progress').evaluate((bar) => bar.value);
+expect(Math.abs(share - 1 / 3) < 0.01, `the bar of a job of which a third is done shows ${share}`);
+await tab.unroute('**/v1/jobs?*');
+
+// A partial job says what is left, and looks so.
+await tell((j) => Object.assign(j, { state: 'PARTIAL', progress: { ...j.progress, holes: '5', holesFilled: '3' } }));
 await tab.locator('.job.partial .state', { hasText: /^done, 2 left open$/ }).waitFor({ timeout: 20000 })
   .catch(() => expect(false, 'a partial job does not say how many holes are left'));
 await tab.unroute('**/v1/jobs?*');

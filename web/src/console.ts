@@ -2,7 +2,8 @@
 import { ApiError, get, getAll, hasToken, isToken, type Job, type Me, setToken, type WorkerInfo, type WorkerTask } from './api';
 import { el } from './dom';
 import { JobView } from './job';
-import { JobList, Rates } from './jobs';
+import { JobList } from './jobs';
+import { Rates } from './times';
 import { workersTable } from './workers';
 
 const INTERVAL = 2000;     // milliseconds

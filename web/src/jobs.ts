@@ -2,6 +2,7 @@
 import { ApiError, type Job, type Me, post } from './api';
 import { el, number } from './dom';
 import { stageText } from './stages';
+import { durationText, type Rates, shareDone } from './times';
 
 // In the words of `tilemend list`, except that a partial job says what is left.
 export function stateText(job: Job): string {
@@ -19,44 +20,11 @@ export function stateText(job: Job): string {
 
 export const isOver = (job: Job): boolean => job.state !== 'RUNNING';
 
-// Cells a second over the last minute that was seen, else since the job began.
-export class Rates {
-  private readonly seen = new Map<string, [number, number][]>();
-
-  add(job: Job, now: number): void {
-    const list = this.seen.get(job.name) ?? [];
-    list.push([now, Number(job.progress.cellsDone)]);
-    while (list.length > 2 && now - list[0]![0] > 60_000) list.shift();
-    this.seen.set(job.name, list);
-  }
-
-  of(job: Job, now: number): number {
-    const list = this.seen.get(job.name) ?? [], first = list[0], last = list[list.length - 1];
-    if (first && last && last[0] - first[0] > 10_000 && last[1] > first[1]) return 1000 * (last[1] - first[1]) / (last[0] - first[0]);
-    const begun = Date.parse(job.startTime ?? '');
-    return Number.isNaN(begun) ? 0 : 1000 * Number(job.progress.cellsDone) / Math.max(1, (isOver(job) ? Date.parse(job.endTime ?? '') : now) - begun);
-  }
-}
-
-// As DurationText in client/output.cc.
-export function durationText(exact: number): string {
-  if (!Number.isFinite(exact)) return '';
-  if (exact < 0.5) return 'less than 1 s';
-  const seconds = Math.round(exact), part = (unit: number, base: number) => String(Math.floor(seconds / unit) % base).padStart(2, '0');
-  if (seconds < 60) return `${seconds} s`;
-  if (seconds < 3600) return `${Math.floor(seconds / 60)} min ${part(1, 60)} s`;
-  if (seconds < 48 * 3600) return `${Math.floor(seconds / 3600)} h ${part(60, 60)} min`;
-  return `${Math.floor(seconds / 86400)} d ${part(3600, 24)} h`;
-}
-
 function speedText(job: Job, rates: Rates, now: number): string {
   // From its creation on, as `tilemend get` has it.
   const took = isOver(job) ? durationText((Date.parse(job.endTime ?? '') - Date.parse(job.createTime)) / 1000) : '';
   if (isOver(job)) return took && `took ${took}`;
-  const rate = rates.of(job, now), left = Number(job.progress.cells) - Number(job.progress.cellsDone);
-  if (job.paused || rate <= 0 || left <= 0) return '';
-  const speed = rate >= 1 ? `${number(rate, 1)} cells/s` : `${number(60 * rate, 1)} cells/min`;
-  return `${speed}, ${durationText(left / rate)} left`;
+  return job.paused || job.waiting ? '' : rates.textOf(job, now);
 }
 
 // What the bar shows: tasks while they go, as cells are written late.
@@ -167,7 +135,7 @@ class JobCard {
     this.state.className = `state ${job.state.toLowerCase()}`;
     const share = (done: string, all: string) => (Number(all) > 0 ? Number(done) / Number(all) : 0);
     this.bar.value = job.state === 'DONE' || job.state === 'PARTIAL' ? 1
-      : isOver(job) ? share(progress.cellsDone, progress.cells) : share(progress.tasksDone, progress.tasks);
+      : isOver(job) ? share(progress.cellsDone, progress.cells) : shareDone(job);
     this.bar.setAttribute('aria-label', `progress of ${job.name}`);
     this.facts.textContent = [...progressTexts(job),
       Number(progress.holes) > 0 ? `${number(Number(progress.holesFilled))} of ${number(Number(progress.holes))} holes filled` : '',

@@ -1,7 +1,7 @@
 // The table of workers: what each does, and since when.
 import type { WorkerInfo, WorkerTask } from './api';
 import { el, number } from './dom';
-import { durationText } from './jobs';
+import { durationText } from './times';
 import { stageText } from './stages';
 
 // In the words of `tilemend workers`.
