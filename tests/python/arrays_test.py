@@ -28,11 +28,13 @@ print(peak() - before, filled.vertices.nbytes + filled.faces.nbytes + filled.fil
 '''
 
 
-def large_plane():
-    """About a million triangles in few steps, with one hole."""
+def large_plane(is_upright=False):
+    """About a million triangles in few steps, with one hole. Upright it is closed in space, not as a height."""
     side, hole = 720, slice(300, 310)
     row, column = np.mgrid[0:side + 1, 0:side + 1]
     vertices = np.stack([column, row, np.sin(column / 4) * np.cos(row / 4)], axis=-1).reshape(-1, 3)
+    if is_upright:
+        vertices = np.ascontiguousarray(vertices[:, [0, 2, 1]])
     corner = np.arange(len(vertices)).reshape(side + 1, side + 1)[:side, :side]
     kept = np.ones(corner.shape, bool)
     kept[hole, hole] = False
@@ -65,6 +67,66 @@ class InPlaceTest(unittest.TestCase):
                     print(f'{np.dtype(points)}, {np.dtype(corners)}: {size >> 20} MB come in, {grown >> 20} MB beside '
                           'them and the result')
                     self.assertLess(grown, 12 * len(faces) + 24 * len(vertices))
+
+    def test_nor_where_a_hole_is_closed_in_space(self):
+        vertices, faces = large_plane(is_upright=True)
+        grown = self.grown(vertices, faces)
+        print(f'{grown >> 20} MB beside the input and the result')
+        self.assertLess(grown, 24 * len(faces) + 24 * len(vertices))
+
+
+class StrangeArraysTest(unittest.TestCase):
+    def setUp(self):
+        self.vertices, self.faces = sphere()
+        self.expected = tilemend.fill(self.vertices, self.faces)
+
+    def expect_the_same(self, vertices, faces):
+        filled = tilemend.fill(vertices, faces)
+        self.assertEqual(filled.vertices.tobytes(), self.expected.vertices.tobytes())
+        self.assertEqual(filled.faces.tobytes(), self.expected.faces.tobytes())
+
+    def test_files_that_are_mapped(self):
+        with tempfile.TemporaryDirectory() as folder:
+            paths = [os.path.join(folder, name) for name in ('vertices.npy', 'faces.npy')]
+            for path, array in zip(paths, (self.vertices, self.faces)):
+                np.save(path, array)
+            for mode in ('r', 'r+', 'c'):
+                mapped = [np.load(path, mmap_mode=mode) for path in paths]
+                self.expect_the_same(*mapped)
+                self.assertEqual(mapped[0].flags.writeable, mode != 'r')
+
+    def test_unaligned_arrays(self):
+        room = bytearray(self.vertices.nbytes + 1)
+        unaligned = np.ndarray(self.vertices.shape, np.float64, room, 1)
+        unaligned[:] = self.vertices
+        self.expect_the_same(unaligned, self.faces)
+
+    def test_rows_that_are_one_row(self):
+        point = np.broadcast_to(np.zeros(3), (50, 3))
+        self.assertEqual(len(tilemend.fill(point, np.arange(48).reshape(-1, 3)).vertices), 50)
+
+    def test_subclasses_that_lie_are_read_as_they_are(self):
+        class Larger(np.ndarray):
+            shape = property(lambda self: (10**9, 3))
+
+        class Wider(np.ndarray):
+            dtype = property(lambda self: np.dtype(np.float64))
+
+        class Packed(np.ndarray):
+            @property
+            def flags(self):
+                return np.zeros(3).flags
+
+        self.expect_the_same(self.vertices.view(Larger), self.faces.view(Larger))
+        narrow = self.vertices.astype(np.float32)
+        self.assertEqual(tilemend.fill(narrow.view(Wider), self.faces).vertices.dtype, np.float32)
+        with self.assertRaisesRegex(ValueError, 'row after row in memory'):
+            tilemend.fill(np.asfortranarray(self.vertices).view(Packed), self.faces)
+
+    def test_an_array_that_its_caller_lets_go(self):
+        held = [self.vertices.copy(), self.faces.copy()]
+        filled = tilemend.fill(held.pop(0), held.pop(0), progress=lambda *_: np.full(10**6, np.nan))
+        self.assertEqual(filled.vertices.tobytes(), self.expected.vertices.tobytes())
 
 
 class ReadOnlyTest(unittest.TestCase):

@@ -19,14 +19,23 @@ Eigen::AlignedBox3d BoxOf(const MeshView& mesh, const Triangle& t) {
 
 Eigen::AlignedBox2d SeenFromAbove(const Eigen::AlignedBox3d& box) { return {box.min().head<2>(), box.max().head<2>()}; }
 
+// Of the larger side of the triangles' boxes seen from above, in the mean.
+double MeanWidth(const MeshView& mesh) {
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles) sum += BoxOf(mesh, t).sizes().head<2>().maxCoeff();
+  return sum / std::max(1.0, static_cast<double>(mesh.triangles.size()));
+}
+
 BinGrid BinsOf(const MeshView& mesh) {
   Eigen::AlignedBox3d all;
   for (const Point3& p : mesh.points) all.extend(p);
   if (all.isEmpty()) all.extend(Point3(0, 0, 0));
   const Point3 size = all.sizes();
   const double bins = std::max(1.0, static_cast<double>(mesh.triangles.size()) / kTrianglesPerBin);
-  // A wall has no area seen from above: no more bins along it than there are to be.
-  const double step = std::max({std::sqrt(size.x() * size.y() / bins), size.x() / bins, size.y() / bins});
+  // A wall has no area seen from above: no more bins along it than there are to be. Nor are bins smaller than most
+  // triangles, each of which would be in many.
+  const double step =
+      std::max({std::sqrt(size.x() * size.y() / bins), size.x() / bins, size.y() / bins, MeanWidth(mesh)});
   return BinGrid(SeenFromAbove(all), step > 0 ? step : 1, static_cast<int32_t>(mesh.triangles.size()),
                  [&](int32_t t) { return SeenFromAbove(BoxOf(mesh, mesh.triangles[t])); });
 }
