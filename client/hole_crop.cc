@@ -113,9 +113,8 @@ HoleCrop CropAround(const TilePair& tile, const Eigen::AlignedBox3d& fill) {
   }
   for (const int32_t t : tile.change.missing) add(tile.before.faces.mesh, t, FaceState::kCleared);
   crop.faces_there = std::ssize(crop.faces);
-  const std::vector<HoleCrop::Face> all = crop.faces;
   double step = box.sizes().head<2>().norm() / std::sqrt(static_cast<double>(kMostCropFaces));
-  for (; std::ssize(crop.faces) > kMostCropFaces; step *= kCoarser) crop.faces = OnGrid(all, step);
+  for (; std::ssize(crop.faces) > kMostCropFaces; step *= kCoarser) crop.faces = OnGrid(crop.faces, step);
   return crop;
 }
 

@@ -39,15 +39,21 @@ class RunMinima {
     }
   }
 
-  // Lowers each value to the minimum of row r from `half` squares before it to as many behind it.
-  void Lower(int32_t r, int32_t half, int32_t cols, int16_t* values) const {
+  // Lowers each value to the minimum of rows r and s from `half` squares before it to as many behind it. One pass for
+  // both, as that takes less than half the time of a pass for each run.
+  void Lower(int32_t r, int32_t s, int32_t half, int32_t cols, int16_t* __restrict values) const {
     const auto k = static_cast<size_t>(std::bit_width(static_cast<uint32_t>(2 * half + 1)) - 1);
-    const int16_t* row = rows_[k].data() + static_cast<size_t>(r) * width_ + radius_;
-    LowerTo(row - half, cols, values);
-    LowerTo(row + half + 1 - (1 << k), cols, values);
+    const ptrdiff_t to_second = 2 * half + 1 - (1 << k);  // from the run that begins `half` squares before
+    const int16_t* of_r = Run(k, r) - half;
+    const int16_t* of_s = Run(k, s) - half;
+    for (int32_t i = 0; i < cols; ++i) {
+      const int16_t in_r = std::min(of_r[i], of_r[i + to_second]), in_s = std::min(of_s[i], of_s[i + to_second]);
+      values[i] = std::min(values[i], std::min(in_r, in_s));
+    }
   }
 
  private:
+  const int16_t* Run(size_t k, int32_t r) const { return rows_[k].data() + static_cast<size_t>(r) * width_ + radius_; }
   int16_t* Row(size_t level, int32_t r) { return rows_[level].data() + static_cast<size_t>(r) * width_; }
 
   const int32_t radius_, width_;
@@ -61,9 +67,11 @@ StepRaster ErodedByDisk(const StepRaster& raster, int32_t radius) {
   StepRaster lowest{raster.cols, raster.rows, std::vector<int16_t>(raster.heights.size(), kNoSurface)};
   for (int32_t r = 0; r < raster.rows; ++r) {
     int16_t* values = lowest.heights.data() + static_cast<size_t>(r) * raster.cols;
-    for (int32_t dy = -radius; dy <= radius; ++dy) {
-      if (r + dy < 0 || r + dy >= raster.rows) continue;
-      minima.Lower(r + dy, half_widths[std::abs(dy)], raster.cols, values);
+    for (int32_t dy = 0; dy <= radius; ++dy) {
+      const bool has_above = r + dy < raster.rows, has_below = r - dy >= 0;
+      if (!has_above && !has_below) continue;
+      const int32_t above = has_above ? r + dy : r - dy, below = has_below ? r - dy : r + dy;
+      minima.Lower(above, below, half_widths[dy], raster.cols, values);
     }
   }
   return lowest;

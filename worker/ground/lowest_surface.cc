@@ -23,7 +23,7 @@ class Rasterizer {
   void AddTriangle(const std::array<Point3, 3>& corners) {
     const auto [low, high] = std::minmax({corners[0].y(), corners[1].y(), corners[2].y()});
     const int64_t first = FirstPlace(low);
-    if (PlaceAt(first) > high) return;  // most triangles are smaller than a square
+    if (PlaceAt(first) > high) return;  // many triangles are smaller than a square
     const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
     if (normal.z() == 0) return;
     for (int64_t line = first; PlaceAt(line) <= high; ++line) {
