@@ -219,7 +219,7 @@ class AcceptanceCheck {
         {AddedFault::kCrossedRim, kCrossedRim},   {AddedFault::kNonManifoldEdge, kNonManifoldEdge},
         {AddedFault::kTurnedEdge, kTurnedEdge},   {AddedFault::kFlatTriangle, kFlatTriangle}};
     const CellId cell = input_.scene.tiles[t].cell;
-    AddedFindings found = FindAddedFaults(before, after, change.added);
+    AddedFindings found = FindAddedFaults(before, after, change);
     FillOwners owners(numbers_, cell, after, change.added);
     if (reported_.overlap > 0) CoverOpenEdges(after, found.open);
     for (const auto& [fault, kind] : kFaults) {

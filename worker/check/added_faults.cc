@@ -2,15 +2,16 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <map>
+#include <span>
 #include <tuple>
 #include <utility>
 
 #include "common/mesh/box_tree.h"
-#include "common/mesh/edge_key.h"
 #include "common/mesh/position_index.h"
 #include "common/mesh/triangle_shape.h"
+#include "common/mesh/vertex_lists.h"
 #include "worker/check/corner_cones.h"
 #include "worker/check/crossing_curves.h"
 #include "worker/fill/space/patch_crossings.h"
@@ -18,13 +19,24 @@
 namespace tilemend {
 namespace {
 
-// One triangle at an edge.
-struct EdgeSide {
-  uint64_t edge;  // EdgeKey of the lower and the higher welded vertex
-  bool is_after, is_added, is_inner, is_forward;
-  int32_t triangle;  // of the tile before or after
+enum class FaceOrigin : uint8_t { kKept, kMissing, kAdded };
 
-  bool operator<(const EdgeSide& other) const { return edge < other.edge; }
+// A triangle of the tile before or after, with area.
+struct Face {
+  Triangle corners;  // welded
+  FaceOrigin origin;
+  bool is_inner;   // AddedFindings::inner
+  int32_t number;  // in the tile after; of a missing one in the tile before
+
+  bool is_before() const { return origin != FaceOrigin::kAdded; }
+  bool is_after() const { return origin != FaceOrigin::kMissing; }
+};
+
+// One face at an edge.
+struct EdgeSide {
+  int32_t higher;  // of the edge's two welded vertices
+  int32_t face;
+  bool is_forward;  // from the lower vertex to the higher one
 };
 
 bool IsLower(const Point3& a, const Point3& b) {
@@ -33,11 +45,16 @@ bool IsLower(const Point3& a, const Point3& b) {
 
 class AddedFaultFinder {
  public:
-  AddedFaultFinder(const TriMesh& before, const TriMesh& after, const std::vector<bool>& added) {
-    Weld(before, {}, false);
+  AddedFaultFinder(const TriMesh& before, const TriMesh& after, const TileChange& change) {
+    const std::vector<int32_t> of_before = Weld(before);
     originals_ = index_.size();
-    Weld(after, added, true);
+    const std::vector<int32_t> of_after = Weld(after);
     points_ = index_.positions();
+    for (size_t t = 0; t < after.triangles.size(); ++t) AddFaceAfter(after, t, change.added[t], of_after);
+    count_after_ = std::ssize(faces_);
+    for (const int32_t t : change.missing) {
+      if (HasArea(before, t)) faces_.push_back({Welded(before, t, of_before), FaceOrigin::kMissing, false, t});
+    }
   }
 
   AddedFindings Run() {
@@ -50,58 +67,72 @@ class AddedFaultFinder {
   }
 
  private:
-  void Weld(const TriMesh& mesh, const std::vector<bool>& added, bool is_after) {
+  std::vector<int32_t> Weld(const TriMesh& mesh) {
     std::vector<int32_t> number;
     number.reserve(mesh.points.size());
     for (const Point3& p : mesh.points) number.push_back(index_.Insert(p));
-    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const Triangle& corners = mesh.triangles[t];
-      const bool is_added = is_after && added[t];
-      const auto is_original = [&](int32_t v) { return number[v] < originals_; };
-      const bool is_inner = is_added && std::none_of(corners.begin(), corners.end(), is_original);
-      if (is_after) found_.inner.push_back(is_inner);
-      if (TwiceVectorArea(mesh.points, corners).squaredNorm() <= 0) {
-        if (is_added) {
-          found_.faults[AddedFault::kFlatTriangle].push_back({mesh.points[corners[0]], static_cast<int32_t>(t)});
-        }
-        continue;
-      }
-      const Triangle welded = {number[corners[0]], number[corners[1]], number[corners[2]]};
-      for (int k = 0; k < 3; ++k) {
-        const int32_t a = welded[k], b = welded[(k + 1) % 3];
-        sides_.push_back(
-            {EdgeKey(std::min(a, b), std::max(a, b)), is_after, is_added, is_inner, a < b, static_cast<int32_t>(t)});
-      }
-      if (!is_after) continue;
-      triangles_.push_back(welded);
-      number_.push_back(static_cast<int32_t>(t));
-      is_added_.push_back(is_added);
+    return number;
+  }
+
+  static bool HasArea(const TriMesh& mesh, size_t t) {
+    return TwiceVectorArea(mesh.points, mesh.triangles[t]).squaredNorm() > 0;
+  }
+
+  static Triangle Welded(const TriMesh& mesh, size_t t, const std::vector<int32_t>& number) {
+    const Triangle& corners = mesh.triangles[t];
+    return {number[corners[0]], number[corners[1]], number[corners[2]]};
+  }
+
+  void AddFaceAfter(const TriMesh& after, size_t t, bool is_added, const std::vector<int32_t>& number) {
+    const Triangle welded = Welded(after, t, number);
+    const bool is_inner = is_added && std::ranges::none_of(welded, [&](int32_t v) { return v < originals_; });
+    found_.inner.push_back(is_inner);
+    if (HasArea(after, t)) {
+      faces_.push_back({welded, is_added ? FaceOrigin::kAdded : FaceOrigin::kKept, is_inner, static_cast<int32_t>(t)});
+    } else if (is_added) {
+      found_.faults[AddedFault::kFlatTriangle].push_back({points_[welded[0]], static_cast<int32_t>(t)});
     }
   }
 
+  // Edge by edge, in the order of their vertices. Kept faces count before and after.
   void LookAtEdges() {
-    std::sort(sides_.begin(), sides_.end());
-    for (size_t i = 0, next = 0; i < sides_.size(); i = next) {
-      while (next < sides_.size() && sides_[next].edge == sides_[i].edge) ++next;
-      LookAtEdge(i, next);
+    const VertexLists corners(points_.size(), [&](const auto& use) {
+      int32_t corner = 0;
+      for (const Face& face : faces_) {
+        for (int k = 0; k < 3; ++k) use(std::min(face.corners[k], face.corners[(k + 1) % 3]), corner + k);
+        corner += 4;
+      }
+    });
+    std::vector<EdgeSide> sides;  // of the edges to higher vertices
+    for (int32_t lower = 0; lower < std::ssize(points_); ++lower) {
+      sides.clear();
+      for (const int32_t corner : corners.Of(lower)) {
+        const Triangle& t = faces_[corner / 4].corners;
+        const int32_t from = t[corner % 4], to = t[(corner % 4 + 1) % 3];
+        sides.push_back({std::max(from, to), corner / 4, from < to});
+      }
+      std::ranges::sort(sides, {}, &EdgeSide::higher);
+      for (size_t i = 0, next = 0; i < sides.size(); i = next) {
+        while (next < sides.size() && sides[next].higher == sides[i].higher) ++next;
+        LookAtEdge(lower, std::span(sides).subspan(i, next - i));
+      }
     }
-    sides_ = {};
   }
 
-  void LookAtEdge(size_t first, size_t last) {
+  void LookAtEdge(int32_t lower, std::span<const EdgeSide> sides) {
     const auto count = [&](auto is_counted) {
-      return static_cast<int32_t>(std::count_if(sides_.begin() + static_cast<ptrdiff_t>(first),
-                                                sides_.begin() + static_cast<ptrdiff_t>(last), is_counted));
+      return static_cast<int32_t>(
+          std::ranges::count_if(sides, [&](const EdgeSide& s) { return is_counted(faces_[s.face], s); }));
     };
-    const int32_t before = count([](const EdgeSide& s) { return !s.is_after; });
-    const int32_t after = count([](const EdgeSide& s) { return s.is_after; });
-    const int32_t added = count([](const EdgeSide& s) { return s.is_added; });
-    const int32_t inner = count([](const EdgeSide& s) { return s.is_inner; });
-    const int32_t forward = count([](const EdgeSide& s) { return s.is_after && s.is_forward; });
-    const uint64_t edge = sides_[first].edge;
-    const auto a = static_cast<int32_t>(edge >> 32), b = static_cast<int32_t>(edge & 0xffffffffU);
+    const int32_t before = count([](const Face& f, const EdgeSide&) { return f.is_before(); });
+    const int32_t after = count([](const Face& f, const EdgeSide&) { return f.is_after(); });
+    if (before == 2 && after == 2 && std::ssize(sides) == 2) return;  // as it was
+    const int32_t added = count([](const Face& f, const EdgeSide&) { return f.origin == FaceOrigin::kAdded; });
+    const int32_t inner = count([](const Face& f, const EdgeSide&) { return f.is_inner; });
+    const int32_t forward = count([](const Face& f, const EdgeSide& s) { return f.is_after() && s.is_forward; });
+    const int32_t a = lower, b = sides.front().higher;
     const Point3 middle = (points_[a] + points_[b]) / 2;
-    const int32_t triangle = AddedTriangleAt(first, last);
+    const int32_t triangle = AddedTriangleAt(sides);
     if (after > 2 && before <= 2) found_.faults[AddedFault::kNonManifoldEdge].push_back({middle, triangle});
     if (after == 2 && added > 0 && forward != 1) found_.faults[AddedFault::kTurnedEdge].push_back({middle, triangle});
     if (before != 1 && after != 1) return;
@@ -113,57 +144,54 @@ class AddedFaultFinder {
   }
 
   // The lowest; -1: none.
-  int32_t AddedTriangleAt(size_t first, size_t last) const {
+  int32_t AddedTriangleAt(std::span<const EdgeSide> sides) const {
     int32_t lowest = -1;
-    for (size_t i = first; i < last; ++i) {
-      const EdgeSide& side = sides_[i];
-      if (side.is_added && (lowest < 0 || side.triangle < lowest)) lowest = side.triangle;
+    for (const EdgeSide& side : sides) {
+      const Face& face = faces_[side.face];
+      if (face.origin == FaceOrigin::kAdded && (lowest < 0 || face.number < lowest)) lowest = face.number;
     }
     return lowest;
   }
 
-  SpaceTriangle InSpace(int32_t t) const {
-    return {points_[triangles_[t][0]], points_[triangles_[t][1]], points_[triangles_[t][2]]};
+  SpaceTriangle InSpace(int32_t f) const {
+    const Triangle& corners = faces_[f].corners;
+    return {points_[corners[0]], points_[corners[1]], points_[corners[2]]};
   }
 
+  bool IsAdded(int32_t f) const { return faces_[f].origin == FaceOrigin::kAdded; }
+
   void LookForCrossings() {
-    const std::vector<CrossingPair> pairs = CrossingPairs();
-    if (pairs.empty()) return;
-    const std::vector<bool> of_input = ContinueCrossings(points_, triangles_, is_added_, pairs);
-    std::map<int32_t, AddedFault> worst;              // of each added triangle that crosses
-    std::map<int32_t, std::vector<int32_t>> crossed;  // the fills' triangles that it crosses
-    for (size_t i = 0; i < pairs.size(); ++i) {
-      const auto [a, b] = pairs[i];
-      const AddedFault fault = of_input[i]                    ? AddedFault::kCrossedRim
-                               : is_added_[a] && is_added_[b] ? AddedFault::kCrossedFill
-                                                              : AddedFault::kCrossedSurface;
-      for (const int32_t t : {a, b}) {
-        if (!is_added_[t]) continue;
-        AddedFault& known = worst.try_emplace(t, fault).first->second;
-        known = std::min(known, fault);
-        if (fault == AddedFault::kCrossedFill) crossed[t].push_back(number_[t == a ? b : a]);
-      }
+    faces_.resize(count_after_);
+    if (std::ranges::none_of(faces_, [](const Face& f) { return f.origin == FaceOrigin::kAdded; })) return;
+    std::vector<Triangle> triangles;
+    std::vector<bool> is_added;
+    for (const Face& face : faces_) {
+      triangles.push_back(face.corners);
+      is_added.push_back(face.origin == FaceOrigin::kAdded);
     }
-    for (const auto& [t, fault] : worst) {
-      const SpaceTriangle placed = InSpace(t);
-      std::vector<int32_t>& others = crossed[t];
-      std::ranges::sort(others);
-      found_.faults[fault].push_back({(placed[0] + placed[1] + placed[2]) / 3, number_[t], std::move(others)});
-    }
+    const std::vector<CrossingPair> pairs = CrossingPairs(triangles);
+    if (!pairs.empty()) TellCrossings(pairs, ContinueCrossings(points_, triangles, is_added, pairs));
   }
 
   // Of which one or both were added, sorted.
-  std::vector<CrossingPair> CrossingPairs() const {
-    std::vector<CrossingPair> pairs;
-    if (std::ranges::find(is_added_, true) == is_added_.end()) return pairs;
+  std::vector<CrossingPair> CrossingPairs(std::span<const Triangle> triangles) const {
+    std::vector<int32_t> added;
     std::vector<Eigen::AlignedBox3d> boxes;
-    for (int32_t t = 0; t < std::ssize(triangles_); ++t) boxes.push_back(BoxOf(InSpace(t)));
-    const CornerCones cones(points_, triangles_);
+    Eigen::AlignedBox3d all;
+    for (int32_t f = 0; f < std::ssize(faces_); ++f) {
+      if (!IsAdded(f)) continue;
+      added.push_back(f);
+      all.extend(boxes.emplace_back(BoxOf(InSpace(f))));
+    }
+    const CornerCones cones(points_, triangles);
     const BoxTree tree(boxes);
-    for (int32_t a = 0; a < std::ssize(triangles_); ++a) {
-      if (!is_added_[a]) continue;
-      tree.AnyMeeting(boxes[a], [&](int32_t b) {
-        if (a == b || (is_added_[b] && b < a)) return false;
+    std::vector<CrossingPair> pairs;
+    for (int32_t b = 0; b < std::ssize(faces_); ++b) {
+      const Eigen::AlignedBox3d box = BoxOf(InSpace(b));
+      if (!box.intersects(all)) continue;
+      tree.AnyMeeting(box, [&](int32_t i) {
+        const int32_t a = added[i];
+        if (a == b || (IsAdded(b) && b < a)) return false;
         if (!cones.AreApart(a, b) && TrianglesCross(InSpace(a), InSpace(b))) {
           pairs.push_back({std::min(a, b), std::max(a, b)});
         }
@@ -174,20 +202,41 @@ class AddedFaultFinder {
     return pairs;
   }
 
+  void TellCrossings(std::span<const CrossingPair> pairs, const std::vector<bool>& of_input) {
+    std::map<int32_t, AddedFault> worst;              // of each added triangle that crosses
+    std::map<int32_t, std::vector<int32_t>> crossed;  // the fills' triangles that it crosses
+    for (size_t i = 0; i < pairs.size(); ++i) {
+      const auto [a, b] = pairs[i];
+      const AddedFault fault = of_input[i]                ? AddedFault::kCrossedRim
+                               : IsAdded(a) && IsAdded(b) ? AddedFault::kCrossedFill
+                                                          : AddedFault::kCrossedSurface;
+      for (const int32_t f : {a, b}) {
+        if (!IsAdded(f)) continue;
+        AddedFault& known = worst.try_emplace(f, fault).first->second;
+        known = std::min(known, fault);
+        if (fault == AddedFault::kCrossedFill) crossed[f].push_back(faces_[f == a ? b : a].number);
+      }
+    }
+    for (const auto& [f, fault] : worst) {
+      const SpaceTriangle placed = InSpace(f);
+      std::vector<int32_t>& others = crossed[f];
+      std::ranges::sort(others);
+      found_.faults[fault].push_back({(placed[0] + placed[1] + placed[2]) / 3, faces_[f].number, std::move(others)});
+    }
+  }
+
   PositionIndex index_;
-  int32_t originals_ = 0;            // vertices of the tile before: the first of index_
-  std::vector<Point3> points_;       // welded
-  std::vector<Triangle> triangles_;  // of the tile after, with area
-  std::vector<bool> is_added_;       // of triangles_
-  std::vector<int32_t> number_;      // in the tile after, of triangles_
-  std::vector<EdgeSide> sides_;
+  int32_t originals_ = 0;       // vertices of the tile before: the first of index_
+  std::vector<Point3> points_;  // welded
+  std::vector<Face> faces_;     // of the tile after, and then those that are missing there
+  std::ptrdiff_t count_after_ = 0;
   AddedFindings found_;
 };
 
 }  // namespace
 
-AddedFindings FindAddedFaults(const TriMesh& before, const TriMesh& after, const std::vector<bool>& added) {
-  return AddedFaultFinder(before, after, added).Run();
+AddedFindings FindAddedFaults(const TriMesh& before, const TriMesh& after, const TileChange& change) {
+  return AddedFaultFinder(before, after, change).Run();
 }
 
 }  // namespace tilemend

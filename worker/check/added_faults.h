@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/mesh/tri_mesh.h"
+#include "worker/check/tile_change.h"
 
 namespace tilemend {
 
@@ -45,10 +46,10 @@ struct AddedFindings {
   std::vector<bool> inner;     // of each triangle of `after`: it was added, and has no vertex at an original one
 };
 
-// Compares the tile `after` with what it was `before`; `added` says which triangles of `after` are new. Vertices at
-// equal positions are one. Triangles without area count for no edge. Touching is decided by exact signs. Pure.
-// O(n log n), and crossings are looked for at the added triangles alone.
-AddedFindings FindAddedFaults(const TriMesh& before, const TriMesh& after, const std::vector<bool>& added);
+// Compares the tile `after` with what it was `before`; `change` says which triangles went and came (CompareTiles).
+// Vertices at equal positions are one. Triangles without area count for no edge. Touching is decided by exact signs.
+// Pure. O(n + k log k) for k added triangles, as crossings are looked for at these alone.
+AddedFindings FindAddedFaults(const TriMesh& before, const TriMesh& after, const TileChange& change);
 
 }  // namespace tilemend
 

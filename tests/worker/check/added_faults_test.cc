@@ -24,9 +24,8 @@ struct Sheet {
 };
 
 AddedFindings Find(const TriMesh& before, const TriMesh& after) {
-  std::vector<bool> added(after.triangles.size(), true);
-  std::fill(added.begin(), added.begin() + std::ssize(before.triangles), false);
-  return FindAddedFaults(before, after, added);
+  const LookedMesh was{before, {}}, is{after, {}};
+  return FindAddedFaults(before, after, CompareTiles(was, is));
 }
 
 class AddedFaultsTest : public ::testing::Test {
