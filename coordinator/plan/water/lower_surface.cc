@@ -10,12 +10,13 @@
 namespace tilemend {
 namespace {
 
-// Metres: the first rows of triangles lie on the shore itself, which rises slowly; half the width of a street.
-constexpr double kNearest = 4, kFarthest = 15;
+constexpr double kNearest = 4;    // metres: the first rows of triangles lie on the shore, which rises slowly
+constexpr double kFarthest = 15;  // metres: half the width of a street
 constexpr double kNearestEdges = 1.5, kFarthestEdges = 3;  // mean edges, if that is more
+constexpr double kSquareShare = 0.1;                       // of kFarthest: side of the squares that count
 constexpr double kSteepest = 0.1;                          // rise / run; what is higher at kFarthest is an object
-constexpr double kPlace = 0.1;                             // of kFarthest: side of the squares that count
-constexpr int64_t kMinPlaces = 10;
+constexpr double kScrap = 0.05;                            // of the squares: a jetty, a spike
+constexpr int64_t kMinSquares = 10;
 
 // The shore of one rim in squares as wide as its reach.
 class ShoreIndex {
@@ -38,15 +39,18 @@ class ShoreIndex {
     const auto [distance, level] = NearestEdge(p);
     if (distance < nearest_ || distance > reach_ || std::isnan(level)) return;
     const double above = p.z() - level;
-    if (above >= kSteepest * reach_) return;
-    const auto [place, fresh] = lowest_.try_emplace(SquareOf(p, kPlace * reach_), above);
-    if (!fresh) place->second = std::min(place->second, above);
+    const auto [square, fresh] = lowest_.try_emplace(SquareOf(p, kSquareShare * reach_), above);
+    if (!fresh) square->second = std::min(square->second, above);
   }
 
   double LowerShare() const {
-    if (std::ssize(lowest_) < kMinPlaces) return 0;
-    const auto lower = std::ranges::count_if(lowest_, [&](const auto& place) { return place.second <= most_above_; });
-    return static_cast<double>(lower) / static_cast<double>(lowest_.size());
+    const auto count_below = [&](double height) {
+      return std::ranges::count_if(lowest_, [&](const auto& square) { return square.second <= height; });
+    };
+    const auto lower = static_cast<double>(count_below(most_above_));
+    const auto low = count_below(std::max(most_above_, kSteepest * reach_));
+    const bool is_known = low >= kMinSquares && lower > kScrap * static_cast<double>(lowest_.size());
+    return is_known ? lower / static_cast<double>(low) : 0;
   }
 
  private:

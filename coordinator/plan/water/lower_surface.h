@@ -20,10 +20,12 @@ struct Shore {
 
 // For each shore the share (0 to 1) of the low surface around it that is no higher than the water at the nearest edge,
 // within three times the noise. It looks at the vertices in the survey's bands, off the rims of holes, that are 4 to 15
-// m from the shore and less than 1.5 m above the water: what stands higher is an object or a wall, and tells nothing.
-// Each square of 1.5 m counts once, by its lowest vertex. Where edges are long, that is 1.5 to 3 mean edges, and the
-// others likewise. The nearest edge must be at the water. With fewer than ten squares nothing is known, and the share
-// is 0. Cost O(n log n) in the bands' vertices of the cells around, and the shores.
+// m from the shore. Each square of 1.5 m counts once, by its lowest vertex: roofs have many vertices, streets few. What
+// stands 1.5 m and more above the water is an object or a wall, and tells nothing. Where edges are long, the distances
+// are 1.5 and 3 mean edges, and the others grow likewise. The nearest edge must be at the water.
+// With fewer than ten low squares nothing is known, and the share is 0; so it is if no more than 5 % of all squares are
+// no higher: a jetty or a spike.
+// Cost O(n log n) in the bands' vertices of the cells around, and the shores.
 std::vector<double> LowerShares(const Plan& plan, const PlanInput& input, std::span<const Shore> shores);
 
 }  // namespace tilemend

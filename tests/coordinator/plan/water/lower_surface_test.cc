@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -34,11 +35,22 @@ TEST(LowerSharesTest, IsTheShareOfTheSurfaceAround) {
   EXPECT_NEAR(ShareAround([](double x, double) { return x < 20 ? 4 : 6; }), 0.5, 0.1);
 }
 
-// A street between houses: few places beside it are low, and they are as low as the street.
-TEST(LowerSharesTest, ObjectsDoNotCount) {
-  const auto houses = [](double, double y) { return y < 12 ? 5.05 : 12; };
-  EXPECT_EQ(ShareAround(houses), 1);
+// A street between houses: each square counts once, by its lowest vertex, wherever the lattice of squares lies.
+TEST(LowerSharesTest, RoofsDoNotCount) {
+  for (const double shift : {0.0, 0.4, 0.7, 1.1}) {
+    const auto every_third_row_is_street = [&](double, double y) {
+      return std::fmod(y + shift + 9, 3) < 1 ? 5.05 : 12;
+    };
+    EXPECT_EQ(ShareAround(every_third_row_is_street), 1);
+  }
   EXPECT_EQ(ShareAround([](double, double) { return 12; }), 0);
+}
+
+// A row of squares among 27 is no street.
+TEST(LowerSharesTest, ScrapsDoNotCount) {
+  for (const double shift : {0.0, 0.4, 0.7, 1.1}) {
+    EXPECT_EQ(ShareAround([&](double x, double y) { return y < 5 + shift && x < 16 ? 5 : 12; }), 0);
+  }
 }
 
 // The surface rises by 2 cm per metre: a bank, unless the heights are as rough as that.
