@@ -79,10 +79,11 @@ absl::StatusOr<std::unique_ptr<Coordinator>> EmbeddedCoordinator(const std::stri
   // Workers of this process cannot be lost without it; a machine that slept must not look like one that died.
   options.lease = absl::Hours(24);
   // The only worker is this process: what it gets wrong once it gets wrong again.
-  options.check_result = SceneResultCheck(TileCheck::kSize);
+  const auto surveys = std::make_shared<DecodedSurveys>();
+  options.check_result = SceneResultCheck(TileCheck::kSize, surveys);
   options.attempts_of = AttemptsOfScene;
   options.state.max_refusals = 1;
-  return Coordinator::Create(options, ScenePipelineFactory(work_folder), *MetricsRegistry::Null());
+  return Coordinator::Create(options, ScenePipelineFactory(work_folder, {}, surveys), *MetricsRegistry::Null());
 }
 
 using ShowJob = std::function<void(const v1::Job&)>;

@@ -124,8 +124,7 @@ absl::StatusOr<CoordinatorOptions> OptionsFromFlags(const Flags& flags) {
   options.max_running_jobs = static_cast<size_t>(max_jobs);
   TILEMEND_ASSIGN_OR_RETURN(const double keep_jobs, flags.Number("keep-jobs", 0.01, 10000));
   options.keep_jobs = absl::Hours(24 * keep_jobs);
-  TILEMEND_ASSIGN_OR_RETURN(const TileRules tiles, TileRulesFromFlags(flags));
-  options.check_result = SceneResultCheck(tiles.check);
+  TILEMEND_RETURN_IF_ERROR(TileRulesFromFlags(flags).status());
   options.attempts_of = AttemptsOfScene;
   options.build = BuildId();
   TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("listen")));
@@ -263,9 +262,12 @@ absl::StatusOr<OpenJournal> JournalFromFlags(const Flags& flags, const std::stri
   return opened;
 }
 
-absl::StatusOr<PipelineFactory> PipelinesFromFlags(const Flags& flags, const std::string& work_folder) {
+// Sets the check of their results as well.
+absl::StatusOr<PipelineFactory> PipelinesFromFlags(const Flags& flags, CoordinatorOptions& options) {
   TILEMEND_ASSIGN_OR_RETURN(const TileRules tiles, TileRulesFromFlags(flags));
-  return ScenePipelineFactory(work_folder, tiles.verified);
+  const auto surveys = std::make_shared<DecodedSurveys>();
+  options.check_result = SceneResultCheck(tiles.check, surveys);
+  return ScenePipelineFactory(options.work_folder, tiles.verified, surveys);
 }
 
 std::string TextOf(const Demand& demand) { return absl::StrCat(demand.jobs, " jobs, ", demand.tasks, " tasks"); }
@@ -293,7 +295,7 @@ absl::Status Serve(const Flags& flags, CoordinatorOptions options) {
       flags, options.work_folder, [&] { return is_asked_to_end.load(); }, log);
   if (!opened.ok()) return absl::IsCancelled(opened.status()) ? absl::OkStatus() : opened.status();
   options.journal = opened->journal;
-  TILEMEND_ASSIGN_OR_RETURN(PipelineFactory pipelines, PipelinesFromFlags(flags, options.work_folder));
+  TILEMEND_ASSIGN_OR_RETURN(PipelineFactory pipelines, PipelinesFromFlags(flags, options));
   TILEMEND_ASSIGN_OR_RETURN(const auto coordinator,
                             Coordinator::Create(std::move(options), std::move(pipelines), metrics));
   TILEMEND_ASSIGN_OR_RETURN(const auto audit, OpenAudit(flags.Text("audit"), log));

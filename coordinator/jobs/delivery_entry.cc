@@ -1,13 +1,19 @@
 #include "coordinator/jobs/delivery_entry.h"
 
+#include <algorithm>
 #include <numbers>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/tiles3d/new_tileset.h"
 #include "common/codec/tiles3d/tileset_frame.h"
+#include "common/codec/tiles3d/tileset_layout.h"
 #include "common/gis/lon_lat.h"
+#include "common/grid/delivery_paths.h"
+#include "common/records/output_names.h"
+#include "common/util/files.h"
 #include "common/util/folders.h"
+#include "common/util/object_store.h"
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
 
@@ -90,6 +96,62 @@ absl::StatusOr<std::string> DeliveryEntry(const Scene& scene, const DeliveryPlac
   }
   if (parts.empty()) return absl::InvalidArgumentError(absl::StrCat(out, ": no tile was written"));
   return NewEntry(out, parts, places.root);
+}
+
+namespace {
+
+// What says where a folder of photogrammetry tiles lies.
+absl::Status CarryMetadata(const Scene& scene, OutputFolder& output) {
+  const std::string from = absl::StrCat(scene.root, "/", kMetadataFile);
+  const auto look = LookAt(from);
+  if (IsObjectPath(from) && !look.ok() && !absl::IsNotFound(look.status())) return look.status();
+  if (!look.ok() || look->kind != PathKind::kFile) return absl::OkStatus();
+  output.Adopt({kMetadataFile});
+  return CarryFile(from, absl::StrCat(output.path(), "/", kMetadataFile), Carry::kCopy);
+}
+
+// The same for delivered tiles; OSGB needs it, also where the scene has another source.
+absl::Status WriteMetadata(const Scene& scene, OutputFolder& output) {
+  const bool is_osgb = std::any_of(scene.tiles.begin(), scene.tiles.end(),
+                                   [](const SceneTile& tile) { return DeliveryFormatOf(tile.delivered) == "osgb"; });
+  if (!is_osgb || KindOf(absl::StrCat(scene.root, "/", kMetadataFile)) == PathKind::kFile) {
+    return CarryMetadata(scene, output);
+  }
+  output.Adopt({kMetadataFile});
+  return WriteFileAtomically(absl::StrCat(output.path(), "/", kMetadataFile), MetadataXml(scene));
+}
+
+// The tileset that names those of the tiles, with volumes that hold what they have now.
+absl::Status WriteTileset(const Scene& scene, OutputFolder& output) {
+  if (scene.tileset.empty()) return absl::OkStatus();
+  TILEMEND_ASSIGN_OR_RETURN(const std::string text, GrownEntry(scene.root, scene.tileset, output.path()));
+  output.Adopt({scene.tileset});
+  return WriteFileAtomically(absl::StrCat(output.path(), "/", scene.tileset), text);
+}
+
+// The tileset of tiles that are delivered as 3D Tiles, which says itself where they lie; else a scene.json.
+absl::Status WriteDelivery(const Scene& scene, OutputFolder& output) {
+  TILEMEND_ASSIGN_OR_RETURN(const DeliveryPlaces places, PlaceDelivery(scene));
+  if (places.cells.empty()) {
+    TILEMEND_RETURN_IF_ERROR(WriteMetadata(scene, output));
+    TILEMEND_ASSIGN_OR_RETURN(const Scene delivered, DeliveredScene(scene, output.path()));
+    return WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile), SceneJson(delivered));
+  }
+  TILEMEND_ASSIGN_OR_RETURN(const std::string text, DeliveryEntry(scene, places, output.path()));
+  output.Adopt({kEntryFile});
+  return WriteFileAtomically(absl::StrCat(output.path(), "/", kEntryFile), text);
+}
+
+}  // namespace
+
+absl::Status WriteScene(const Scene& scene, OutputFolder& output) {
+  if (IsDelivered(scene)) return WriteDelivery(scene, output);
+  if (scene.found_by_name || scene.tileset.empty()) {  // a tileset says it itself
+    TILEMEND_ASSIGN_OR_RETURN(const Scene filled, FilledScene(scene, output.path()));
+    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile), SceneJson(filled)));
+  }
+  TILEMEND_RETURN_IF_ERROR(CarryMetadata(scene, output));
+  return WriteTileset(scene, output);
 }
 
 }  // namespace tilemend

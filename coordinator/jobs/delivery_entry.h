@@ -1,4 +1,4 @@
-// Where delivered tilesets lie on the Earth, and the tileset.json that names them.
+// The files of an output that say where its tiles lie; where delivered tilesets lie on the Earth.
 #ifndef TILEMEND_COORDINATOR_JOBS_DELIVERY_ENTRY_H_
 #define TILEMEND_COORDINATOR_JOBS_DELIVERY_ENTRY_H_
 
@@ -7,8 +7,10 @@
 #include <optional>
 #include <string>
 
+#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "common/grid/scene.h"
+#include "coordinator/store/output_folder.h"
 
 namespace tilemend {
 
@@ -29,6 +31,9 @@ absl::StatusOr<DeliveryPlaces> PlaceDelivery(const Scene& scene);
 // The text of the entry for those tiles that are in the folder `out`. Errors of NewEntry; kInvalidArgument if there is
 // none.
 absl::StatusOr<std::string> DeliveryEntry(const Scene& scene, const DeliveryPlaces& places, const std::string& out);
+
+// Writes what says where the tiles of an output lie: scene.json, metadata.xml, the tileset of the scene, or the entry.
+absl::Status WriteScene(const Scene& scene, OutputFolder& output);
 
 }  // namespace tilemend
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <variant>
@@ -12,6 +13,7 @@
 #include "common/mesh/height_tallies.h"
 #include "common/records/patch_heights.h"
 #include "common/rpc/clear_payloads.h"
+#include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/rpc/surface_payloads.h"
 #include "common/store/digest.h"
@@ -158,20 +160,34 @@ absl::Status CheckFilesOfTree(const v1::SurveyInput& input, const v1::TileFiles&
   return absl::OkStatus();
 }
 
-absl::Status CheckOutput(const std::string& input_bytes, const v1::SurveyOutput& output, TileReading& reading) {
-  TILEMEND_ASSIGN_OR_RETURN(const auto input, ParseResult<v1::SurveyInput>(input_bytes));
-  if (!IsFileDigest(output.digest())) return Wrong("a digest that is none");
-  if (output.unchanged()) return CheckSameSurvey(input, output, reading.how);
+// The record of a survey that was made anew.
+absl::StatusOr<SurveyRecord> CheckedRecord(const v1::SurveyInput& input, const v1::SurveyOutput& output,
+                                           TileReading& reading) {
   if (output.cleared_size() != input.tile().clear_size()) return Wrong("counts of other areas");
   if (output.witness().digest() != output.digest()) return Wrong("a witness of another tile");
   TILEMEND_RETURN_IF_ERROR(AsWrong(FromProto(output.files()).status()));
   TILEMEND_RETURN_IF_ERROR(CheckFilesOfTree(input, output.files()));
-  const auto record = FromProto(output);
+  auto record = FromProto(output);
   if (!record.ok()) return AsWrong(record.status());
   TILEMEND_ASSIGN_OR_RETURN(const int64_t bytes, TileSize(input.tile()));
   TILEMEND_RETURN_IF_ERROR(AsWrong(CheckSurvey(*record, MostOf(input.tile().path(), bytes))));
-  if (reading.how == TileCheck::kContent) return CheckSurveyedTile(input, output, *record, reading);
-  return CheckUnusual(input, *record, reading);
+  TILEMEND_RETURN_IF_ERROR(reading.how == TileCheck::kContent ? CheckSurveyedTile(input, output, *record, reading)
+                                                              : CheckUnusual(input, *record, reading));
+  return record;
+}
+
+// The record of a survey; none: it says that the tile is as it was.
+absl::StatusOr<std::optional<SurveyRecord>> CheckSurveyResult(const std::string& input_bytes,
+                                                              const v1::SurveyOutput& output, TileReading& reading) {
+  TILEMEND_ASSIGN_OR_RETURN(const auto input, ParseResult<v1::SurveyInput>(input_bytes));
+  if (!IsFileDigest(output.digest())) return Wrong("a digest that is none");
+  if (!output.unchanged()) return CheckedRecord(input, output, reading);
+  TILEMEND_RETURN_IF_ERROR(CheckSameSurvey(input, output, reading.how));
+  return std::nullopt;
+}
+
+absl::Status CheckOutput(const std::string& input_bytes, const v1::SurveyOutput& output, TileReading& reading) {
+  return CheckSurveyResult(input_bytes, output, reading).status();
 }
 
 absl::Status CheckOutput(const std::string& input_bytes, const v1::GroundOutput& output, TileReading&) {
@@ -255,13 +271,18 @@ std::vector<std::string> AttemptsOfScene(Stage stage, const std::string& output)
   return names;
 }
 
-ResultCheck SceneResultCheck(TileCheck tiles) {
-  return [reading = std::make_shared<TileReading>(tiles)](Stage stage, const std::string& input,
-                                                          const std::string& bytes) {
+ResultCheck SceneResultCheck(TileCheck tiles, std::shared_ptr<DecodedSurveys> surveys) {
+  return [reading = std::make_shared<TileReading>(tiles), surveys = std::move(surveys)](
+             Stage stage, const std::string& input, const std::string& bytes) -> absl::Status {
     if (stage == Stage::kVerify) return CheckVerification(input, bytes);
     const auto output = ParseStageOutput(stage, bytes);
     if (absl::IsInvalidArgument(output.status())) return AsWrong(output.status());
-    return output.ok() ? CheckStage(input, *output, *reading) : output.status();
+    if (!output.ok()) return output.status();
+    const auto* surveyed = std::get_if<v1::SurveyOutput>(&*output);
+    if (surveyed == nullptr || surveys == nullptr) return CheckStage(input, *output, *reading);
+    TILEMEND_ASSIGN_OR_RETURN(auto record, CheckSurveyResult(input, *surveyed, *reading));
+    if (record) surveys->Put(bytes, *std::move(record));
+    return absl::OkStatus();
   };
 }
 

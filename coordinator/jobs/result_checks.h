@@ -3,11 +3,13 @@
 #define TILEMEND_COORDINATOR_JOBS_RESULT_CHECKS_H_
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "common/util/stage.h"
+#include "coordinator/jobs/decoded_surveys.h"
 #include "coordinator/jobs/stage_output.h"
 
 namespace tilemend {
@@ -31,7 +33,8 @@ enum class TileCheck { kSize, kContent };
 //  - verify: a digest for each file. What it says is for OutputVerification to judge.
 // With kContent alone the coordinator holds tiles: some 24 MB of them at once, with what is made of them; a larger one
 // by itself. What is not told then: a surface that is sound, but not the one that a sound worker makes.
-ResultCheck SceneResultCheck(TileCheck tiles);
+// `surveys`, if given, gets the records of sound surveys.
+ResultCheck SceneResultCheck(TileCheck tiles, std::shared_ptr<DecodedSurveys> surveys = nullptr);
 
 // For the stages of real scenes.
 std::vector<std::string> AttemptsOfScene(Stage stage, const std::string& output);

@@ -62,59 +62,6 @@ std::vector<std::string> FirstOf(std::vector<std::string> warnings) {
   return warnings;
 }
 
-// What says where a folder of photogrammetry tiles lies.
-absl::Status CarryMetadata(const Scene& scene, OutputFolder& output) {
-  const std::string from = absl::StrCat(scene.root, "/", kMetadataFile);
-  const auto look = LookAt(from);
-  if (IsObjectPath(from) && !look.ok() && !absl::IsNotFound(look.status())) return look.status();
-  if (!look.ok() || look->kind != PathKind::kFile) return absl::OkStatus();
-  output.Adopt({kMetadataFile});
-  return CarryFile(from, absl::StrCat(output.path(), "/", kMetadataFile), Carry::kCopy);
-}
-
-// The same for delivered tiles; OSGB needs it, also where the scene has another source.
-absl::Status WriteMetadata(const Scene& scene, OutputFolder& output) {
-  const bool is_osgb = std::any_of(scene.tiles.begin(), scene.tiles.end(),
-                                   [](const SceneTile& tile) { return DeliveryFormatOf(tile.delivered) == "osgb"; });
-  if (!is_osgb || KindOf(absl::StrCat(scene.root, "/", kMetadataFile)) == PathKind::kFile) {
-    return CarryMetadata(scene, output);
-  }
-  output.Adopt({kMetadataFile});
-  return WriteFileAtomically(absl::StrCat(output.path(), "/", kMetadataFile), MetadataXml(scene));
-}
-
-// The tileset that names those of the tiles, with volumes that hold what they have now.
-absl::Status WriteTileset(const Scene& scene, OutputFolder& output) {
-  if (scene.tileset.empty()) return absl::OkStatus();
-  TILEMEND_ASSIGN_OR_RETURN(const std::string text, GrownEntry(scene.root, scene.tileset, output.path()));
-  output.Adopt({scene.tileset});
-  return WriteFileAtomically(absl::StrCat(output.path(), "/", scene.tileset), text);
-}
-
-// The tileset of tiles that are delivered as 3D Tiles, which says itself where they lie; else a scene.json.
-absl::Status WriteDelivery(const Scene& scene, OutputFolder& output) {
-  TILEMEND_ASSIGN_OR_RETURN(const DeliveryPlaces places, PlaceDelivery(scene));
-  if (places.cells.empty()) {
-    TILEMEND_RETURN_IF_ERROR(WriteMetadata(scene, output));
-    TILEMEND_ASSIGN_OR_RETURN(const Scene delivered, DeliveredScene(scene, output.path()));
-    return WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile), SceneJson(delivered));
-  }
-  TILEMEND_ASSIGN_OR_RETURN(const std::string text, DeliveryEntry(scene, places, output.path()));
-  output.Adopt({kEntryFile});
-  return WriteFileAtomically(absl::StrCat(output.path(), "/", kEntryFile), text);
-}
-
-// What says where the tiles lie.
-absl::Status WriteScene(const Scene& scene, OutputFolder& output) {
-  if (IsDelivered(scene)) return WriteDelivery(scene, output);
-  if (scene.found_by_name || scene.tileset.empty()) {  // a tileset says it itself
-    TILEMEND_ASSIGN_OR_RETURN(const Scene filled, FilledScene(scene, output.path()));
-    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile), SceneJson(filled)));
-  }
-  TILEMEND_RETURN_IF_ERROR(CarryMetadata(scene, output));
-  return WriteTileset(scene, output);
-}
-
 // For people. A dry run says what would be done.
 std::string MessageOf(const JobSpec& spec, const SceneReportInput& report, const TaskReuse& reuse, bool all_closed) {
   const size_t all = report.plan->holes.size();
@@ -189,14 +136,15 @@ class OutputEnd {
 class ScenePipeline : public JobPipeline {
  public:
   ScenePipeline(JobOnOutput job, Scene scene, std::set<CellId> chosen, WaterOptions water,
-                std::optional<OutputFolder> output, std::shared_ptr<ScratchFile> scratch, VerifiedShares verified)
+                std::optional<OutputFolder> output, std::shared_ptr<ScratchFile> scratch, VerifiedShares verified,
+                std::shared_ptr<DecodedSurveys> surveys)
       : job_(std::move(job)),
-        spec_(job_.spec),
+        surveys_(std::move(surveys)),
         output_(std::move(output)),
         verification_(verified, output_ ? output_->path() : "", scratch),
         waves_(std::move(scene), OptionsFor(std::move(chosen), std::move(water)),
                [this](std::string_view step) { steps_.End(step, waves_); }),
-        tasks_(spec_, waves_, output_ ? &*output_ : nullptr, std::move(scratch)) {
+        tasks_(job_.spec, waves_, output_ ? &*output_ : nullptr, std::move(scratch)) {
     steps_.sight = std::make_shared<SceneSight>(waves_.scene());
   }
 
@@ -216,7 +164,7 @@ class ScenePipeline : public JobPipeline {
   absl::StatusOr<std::vector<NewTask>> Start() override {
     const std::vector<SceneTile>& tiles = waves_.scene().tiles;
     if (std::all_of(tiles.begin(), tiles.end(), [](const SceneTile& tile) { return tile.path.empty(); }))
-      return absl::InvalidArgumentError(absl::StrCat(spec_.scene(), ": no cell of the scene has a tile"));
+      return absl::InvalidArgumentError(absl::StrCat(job_.spec.scene(), ": no cell of the scene has a tile"));
     // Nothing can be appended to an object.
     if (output_ && !IsObjectPath(output_->path())) {
       TILEMEND_ASSIGN_OR_RETURN(ResultLog log, ResultLog::Open(output_->result_log(), opening_));
@@ -264,16 +212,16 @@ class ScenePipeline : public JobPipeline {
     const SceneReportInput report = Report();
     JobOutcome outcome;
     const auto left = LeftOf(report);
-    outcome.partial = IsPartial(report) && !spec_.dry_run();
-    outcome.message = MessageOf(spec_, report, *reuse_, left.empty());
-    if (spec_.dry_run()) outcome.warnings = FirstOf(WarningsOf(report));
+    outcome.partial = IsPartial(report) && !job_.spec.dry_run();
+    outcome.message = MessageOf(job_.spec, report, *reuse_, left.empty());
+    if (job_.spec.dry_run()) outcome.warnings = FirstOf(WarningsOf(report));
     if (output_) TILEMEND_RETURN_IF_ERROR(FinishOutput(report, outcome));
     return outcome;
   }
 
  private:
   WaveOptions OptionsFor(std::set<CellId> chosen, WaterOptions water) {
-    WaveOptions options = WaveOptionsOf(spec_, std::move(water), [this] { return end_.is_cancelled(); });
+    WaveOptions options = WaveOptionsOf(job_.spec, std::move(water), [this] { return end_.is_cancelled(); });
     options.chosen = std::move(chosen);
     // A complete output stays what it is until all of the new one is known.
     options.write_early = output_ && !output_->has_report();
@@ -294,7 +242,7 @@ class ScenePipeline : public JobPipeline {
     const CellId cell = result.cell;
     const Stage stage = result.stage;
     SceneVerification::Report report = SceneVerification::ReportOf(result);
-    TILEMEND_ASSIGN_OR_RETURN(StageResult decoded, DecodeResult(std::move(result)));
+    TILEMEND_ASSIGN_OR_RETURN(StageResult decoded, DecodeResult(std::move(result), surveys_.get()));
     const int32_t number = NumberOf(decoded.output);
     TILEMEND_RETURN_IF_ERROR(reuse_->Resolve(decoded, number));
     const std::string bytes = std::move(decoded.bytes);
@@ -355,14 +303,14 @@ class ScenePipeline : public JobPipeline {
     report.outcome = waves_.outcome();
     report.cells = static_cast<int64_t>(waves_.scene().tiles.size());
     report.seconds = steps_.seconds;
-    report.scene = spec_.scene();
+    report.scene = job_.spec.scene();
     report.date = UtcText(absl::Now());
     report.tasks = reuse_->tasks();
     report.taken_over = reuse_->taken_over();
     report.tiles = reuse_->tiles();
     report.tiles_kept = reuse_->tiles_kept();
     report.key = job_.key;
-    report.options = ReportedOptions(spec_, kOfJobs);
+    report.options = ReportedOptions(job_.spec, kOfJobs);
     report.levels = tasks_.levels();
     report.files = FileDigestsOf(job_.identity);
     report.warnings = waves_.scene().warnings;
@@ -395,8 +343,8 @@ class ScenePipeline : public JobPipeline {
   }
 
   const JobOnOutput job_;
-  const JobSpec& spec_;                 // of job_
-  std::optional<OutputFolder> output_;  // none in a dry run
+  const std::shared_ptr<DecodedSurveys> surveys_;  // may be null
+  std::optional<OutputFolder> output_;             // none in a dry run
   SceneVerification verification_;
   int64_t tasks_out_ = 0;  // given out, and their results have not come
   bool writing_ = false;
@@ -409,7 +357,9 @@ class ScenePipeline : public JobPipeline {
 };
 
 absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& spec, const std::string& scratch_folder,
-                                                               VerifiedShares verified, const std::stop_token& stop) {
+                                                               VerifiedShares verified,
+                                                               std::shared_ptr<DecodedSurveys> surveys,
+                                                               const std::stop_token& stop) {
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene(), ReadTileBounds, ReadTilesets));
   CheckCrs(scene, stop);
   TILEMEND_ASSIGN_OR_RETURN(const std::string area_digest, ApplyAreaChoice(spec.area(), scene, stop));
@@ -436,14 +386,16 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
   }
   TILEMEND_ASSIGN_OR_RETURN(auto scratch, ScratchFile::Create(scratch_folder));
   return std::make_unique<ScenePipeline>(std::move(job), std::move(scene), std::move(chosen), std::move(water.options),
-                                         std::move(output), std::move(scratch), verified);
+                                         std::move(output), std::move(scratch), verified, std::move(surveys));
 }
 
 }  // namespace
 
-PipelineFactory ScenePipelineFactory(std::string scratch, VerifiedShares verified) {
-  return [=, scratch = std::move(scratch)](const JobSpec& spec, const std::stop_token& stop) {
-    return MakeScenePipeline(spec, scratch, verified, stop);
+PipelineFactory ScenePipelineFactory(std::string scratch, VerifiedShares verified,
+                                     std::shared_ptr<DecodedSurveys> surveys) {
+  return [=, scratch = std::move(scratch), surveys = std::move(surveys)](const JobSpec& spec,
+                                                                         const std::stop_token& stop) {
+    return MakeScenePipeline(spec, scratch, verified, surveys, stop);
   };
 }
 

@@ -2,8 +2,10 @@
 #ifndef TILEMEND_COORDINATOR_JOBS_SCENE_PIPELINE_H_
 #define TILEMEND_COORDINATOR_JOBS_SCENE_PIPELINE_H_
 
+#include <memory>
 #include <string>
 
+#include "coordinator/jobs/decoded_surveys.h"
 #include "coordinator/jobs/job_pipeline.h"
 #include "coordinator/jobs/scene_verification.h"
 
@@ -11,7 +13,9 @@ namespace tilemend {
 
 // What a job puts aside while it runs lies in `scratch`, a folder; empty: that of the system for such files. Files
 // there have no names: they end with the process. What an earlier process of the job verified is not verified again.
-PipelineFactory ScenePipelineFactory(std::string scratch = "", VerifiedShares verified = {});
+// `surveys`, if given, may have the records of results that were checked.
+PipelineFactory ScenePipelineFactory(std::string scratch = "", VerifiedShares verified = {},
+                                     std::shared_ptr<DecodedSurveys> surveys = nullptr);
 
 }  // namespace tilemend
 

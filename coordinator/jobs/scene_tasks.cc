@@ -26,20 +26,24 @@ namespace tilemend {
 namespace {
 
 template <typename Message>
-absl::StatusOr<Message> Parse(const std::string& bytes) {
+absl::StatusOr<Message> TakeUp(const ScratchFile& scratch, const ScratchFile::Place& place) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, scratch.Get(place));
   Message message;
   if (!message.ParseFromString(bytes)) return absl::InvalidArgumentError("not the expected message");
   return message;
 }
 
-template <typename Message>
-absl::StatusOr<Message> TakeUp(const ScratchFile& scratch, const ScratchFile::Place& place) {
-  TILEMEND_ASSIGN_OR_RETURN(const std::string bytes, scratch.Get(place));
-  return Parse<Message>(bytes);
-}
-
 absl::StatusOr<ScratchFile::Place> PutAside(ScratchFile& scratch, const google::protobuf::MessageLite& message) {
   return scratch.Put(message.SerializeAsString());
+}
+
+// What a result says, as TakeOutput takes it.
+template <typename Output>
+Output Decoded(Output& output, std::optional<SurveyRecord>&) {
+  return std::move(output);
+}
+absl::StatusOr<SurveyedTile> Decoded(v1::SurveyOutput& output, std::optional<SurveyRecord>& record) {
+  return SurveyedTileOf(std::move(output), std::move(record));
 }
 
 // Of the inputs of ground tasks, put aside once.
@@ -111,9 +115,8 @@ void SetDelivery(const Grid& grid, const std::string& format, CellId cell, v1::A
 // The tiles that the texture of a cell's fill is made from: its own and those around it.
 template <typename Ref>
 absl::Status AddTilesAround(const Scene& scene, CellId cell, const Ref& ref, v1::AssembleInput& input) {
-  const auto place = [](const SceneTile& tile) {
-    return std::pair(tile.cell.row, tile.cell.col);
-  };  // they are in order
+  // They are sorted by it.
+  const auto place = [](const SceneTile& tile) { return std::pair(tile.cell.row, tile.cell.col); };
   for (int32_t row = cell.row - 1; row <= cell.row + 1; ++row) {
     auto other = std::ranges::lower_bound(scene.tiles, std::pair(row, cell.col - 1), std::less<>(), place);
     for (; other != scene.tiles.end() && place(*other) <= std::pair(row, cell.col + 1); ++other) {
@@ -178,8 +181,6 @@ absl::Status SceneTasks::AddHelp(NewTask& task) const {
   help.AppendToString(&task.input);  // as one message: its other fields stay as they are
   return absl::OkStatus();
 }
-
-void SceneTasks::Forget(CellId cell) { rims_.erase(cell); }
 
 absl::StatusOr<NewTask> SceneTasks::Encode(const MeasureWork& work) const {
   v1::MeasureInput input;
@@ -340,13 +341,12 @@ absl::StatusOr<v1::TileRef> SceneTasks::Ref(const SceneTile& tile) const {
 
 absl::Status SceneTasks::Take(StageResult result) {
   const absl::Status status =
-      std::visit([&](auto& output) { return TakeOutput(result.cell, std::move(output)); }, result.output);
+      std::visit([&](auto& output) { return TakeOutput(result.cell, Decoded(output, result.record)); }, result.output);
   if (status.ok() || result.stage == Stage::kSurvey || result.stage == Stage::kAssemble) return status;
   return UnreadableResult(result.cell, status);
 }
 
-absl::Status SceneTasks::TakeOutput(CellId cell, v1::SurveyOutput output) {
-  absl::StatusOr<SurveyedTile> tile = SurveyedTileOf(std::move(output));
+absl::Status SceneTasks::TakeOutput(CellId cell, absl::StatusOr<SurveyedTile> tile) {
   if (!tile.ok()) return UnreadableResult(cell, tile.status());
   TILEMEND_RETURN_IF_ERROR(CheckInsideCell(tile->record, waves_.scene(), waves_.survey().tile(cell)));
   if (const auto measured = measured_.extract(cell); measured && measured.mapped() != tile->digest) {

@@ -46,7 +46,7 @@ class SceneTasks {
   // kInvalidArgument if the tile does not lie in its cell.
   absl::Status Take(StageResult result);
   // The cell's holes are not to be filled.
-  void Forget(CellId cell);
+  void Forget(CellId cell) { rims_.erase(cell); }
 
   const SceneFiles& files() const { return files_; }
   // What became of the levels of detail of the chosen tiles so far, the coarsest first.
@@ -67,7 +67,7 @@ class SceneTasks {
   absl::StatusOr<v1::TileRef> Ref(const SceneTile& tile) const;
 
   absl::Status TakeOutput(CellId cell, const v1::MeasureOutput& output);
-  absl::Status TakeOutput(CellId cell, v1::SurveyOutput output);
+  absl::Status TakeOutput(CellId cell, absl::StatusOr<SurveyedTile> tile);
   absl::Status TakeOutput(CellId cell, const v1::GroundOutput& output);
   absl::Status TakeOutput(CellId cell, const v1::SampleClusterOutput& output);
   absl::Status TakeOutput(CellId cell, const v1::SampleLayerOutput& output);

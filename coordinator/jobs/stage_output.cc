@@ -40,10 +40,12 @@ absl::StatusOr<StageOutput> ParseStageOutput(Stage stage, const std::string& byt
   return absl::InternalError("unknown stage");
 }
 
-absl::StatusOr<StageResult> DecodeResult(TaskResult result) {
+absl::StatusOr<StageResult> DecodeResult(TaskResult result, DecodedSurveys* surveys) {
   absl::StatusOr<StageOutput> output = ParseStageOutput(result.stage, *result.output);
   if (!output.ok()) return UnreadableResult(result.cell, output.status());
-  return StageResult{result.cell, result.stage, *std::move(result.output), *std::move(output)};
+  std::optional<SurveyRecord> record;
+  if (surveys != nullptr && result.stage == Stage::kSurvey) record = surveys->Take(*result.output);
+  return StageResult{result.cell, result.stage, *std::move(result.output), *std::move(output), std::move(record)};
 }
 
 absl::Status UnreadableResult(CellId cell, const absl::Status& reason) {

@@ -3,6 +3,7 @@
 #define TILEMEND_COORDINATOR_JOBS_STAGE_OUTPUT_H_
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -10,6 +11,7 @@
 #include "absl/status/statusor.h"
 #include "common/grid/scene.h"
 #include "common/util/stage.h"
+#include "coordinator/jobs/decoded_surveys.h"
 #include "coordinator/jobs/job_pipeline.h"
 #include "tilemend/v1/stages.pb.h"
 
@@ -26,11 +28,13 @@ struct StageResult {
   CellId cell;
   Stage stage = Stage::kSurvey;
   std::string bytes;
-  StageOutput output;  // of the bytes
+  StageOutput output;                  // of the bytes
+  std::optional<SurveyRecord> record;  // of a survey, where it is known
 };
 
-// `result` is one of a task that was done. kInternal if its bytes are not the message of its stage.
-absl::StatusOr<StageResult> DecodeResult(TaskResult result);
+// `result` is one of a task that was done. `surveys`, if given, may have the record of a survey. kInternal if the
+// bytes are not the message of the stage.
+absl::StatusOr<StageResult> DecodeResult(TaskResult result, DecodedSurveys* surveys = nullptr);
 
 // kInternal, with the reason.
 absl::Status UnreadableResult(CellId cell, const absl::Status& reason);

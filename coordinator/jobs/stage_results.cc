@@ -18,9 +18,13 @@ absl::StatusOr<int32_t> PlanNumber(const std::vector<int32_t>& numbers, int32_t 
 
 }  // namespace
 
-absl::StatusOr<SurveyedTile> SurveyedTileOf(v1::SurveyOutput output) {
+absl::StatusOr<SurveyedTile> SurveyedTileOf(v1::SurveyOutput output, std::optional<SurveyRecord> record) {
   SurveyedTile tile;
-  TILEMEND_ASSIGN_OR_RETURN(tile.record, FromProto(output));
+  if (record) {
+    tile.record = *std::move(record);
+  } else {
+    TILEMEND_ASSIGN_OR_RETURN(tile.record, FromProto(output));
+  }
   TILEMEND_ASSIGN_OR_RETURN(tile.files, FromProto(output.files()));
   tile.digest = output.digest();
   tile.stamp = output.stamp();

@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COORDINATOR_JOBS_STAGE_RESULTS_H_
 #define TILEMEND_COORDINATOR_JOBS_STAGE_RESULTS_H_
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,8 @@ struct SurveyedTile {
   std::vector<LevelCounts> levels;       // `nodes` of each
 };
 
-// kInvalidArgument for a record that is none.
-absl::StatusOr<SurveyedTile> SurveyedTileOf(v1::SurveyOutput output);
+// `record`: that of the output, where it is known. kInvalidArgument for a record that is none.
+absl::StatusOr<SurveyedTile> SurveyedTileOf(v1::SurveyOutput output, std::optional<SurveyRecord> record = {});
 
 // A task for a cluster: its number in the plan, and the plan's numbers for those of its vertices.
 struct AskedCluster {

@@ -6,11 +6,11 @@
 
 namespace tilemend {
 
-PipelineFactory ScenePipelineFactory(std::string, VerifiedShares) {
+PipelineFactory ScenePipelineFactory(std::string, VerifiedShares, std::shared_ptr<DecodedSurveys>) {
   return ToyPipelineFactory();
 }  // NOLINT: as declared
 
-ResultCheck SceneResultCheck(TileCheck) { return {}; }
+ResultCheck SceneResultCheck(TileCheck, std::shared_ptr<DecodedSurveys>) { return {}; }
 
 std::vector<std::string> AttemptsOfScene(Stage, const std::string&) { return {}; }
 

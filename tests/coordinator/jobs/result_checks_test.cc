@@ -12,6 +12,7 @@
 
 #include "common/options/job_options.h"
 #include "common/records/surface.h"
+#include "common/rpc/stage_payloads.h"
 #include "common/store/digest.h"
 #include "common/util/files.h"
 #include "coordinator/jobs/scene_pipeline.h"
@@ -76,6 +77,26 @@ TEST_F(ResultChecksTest, TakesWhatASoundWorkerGives) {
   EXPECT_EQ(seen.count(Stage::kMeasure), 0U);
   // Files are verified only if that is asked for.
   EXPECT_EQ(seen.size(), kAllStages.size() - 3);
+}
+
+TEST_F(ResultChecksTest, KeepsTheRecordsOfSoundSurveys) {
+  const auto surveys = std::make_shared<DecodedSurveys>();
+  const ResultCheck check = SceneResultCheck(TileCheck::kSize, surveys);
+  int kept = 0;
+  Run([&](const Exchange& e) {
+    v1::SurveyOutput survey;
+    if (e.stage != Stage::kSurvey || !survey.ParseFromString(e.output)) return;
+    ASSERT_TRUE(check(e.stage, e.input, e.output).ok());
+    const auto record = surveys->Take(e.output);
+    ASSERT_TRUE(record);
+    EXPECT_EQ(ToProto(*record).band().draco(), survey.band().draco());
+    ++kept;
+    survey.set_triangle_count(-1);
+    const std::string lie = survey.SerializeAsString();
+    EXPECT_TRUE(absl::IsDataLoss(check(e.stage, e.input, lie)));
+    EXPECT_FALSE(surveys->Take(lie));
+  });
+  EXPECT_GT(kept, 1);
 }
 
 TEST_F(ResultChecksTest, ReadsTilesAsCloselyAsItIsTold) {

@@ -70,7 +70,7 @@ TEST(SceneTasksTest, AClusterThatWasNotAskedForIsNoResult) {
   SceneWaves waves(LoadScene(folder.path(), [](const std::string&) { return absl::UnimplementedError(""); }).value(),
                    WaveOptionsOf(spec, {}, [] { return false; }));
   SceneTasks tasks(spec, waves, nullptr, ScratchFile::Create("").value());
-  EXPECT_TRUE(absl::IsInternal(tasks.Take({{0, 0}, Stage::kSampleCluster, "", v1::SampleClusterOutput()})));
+  EXPECT_TRUE(absl::IsInternal(tasks.Take({{0, 0}, Stage::kSampleCluster, "", v1::SampleClusterOutput(), {}})));
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ TEST_F(TaskReuseTest, ASurveyIsTakenOverWhenAWorkerHasFoundItsTileUnchanged) {
   v1::SurveyOutput unchanged;
   unchanged.set_digest(Surveyed().digest());
   unchanged.set_unchanged(true);
-  StageResult result{task.cell, task.stage, unchanged.SerializeAsString(), unchanged};
+  StageResult result{task.cell, task.stage, unchanged.SerializeAsString(), unchanged, {}};
   ASSERT_TRUE(second.Resolve(result, 0).ok());
   EXPECT_EQ(result.bytes, Surveyed().SerializeAsString());
   EXPECT_EQ(std::get<v1::SurveyOutput>(result.output).SerializeAsString(), result.bytes);
