@@ -102,7 +102,7 @@ class Divider {
     std::vector<Point3> position;
     for (const RimPoint& p : part_.rim.points) position.push_back(p.position);
     for (const SeamVertex& v : division.seams.vertices) position.emplace_back(v.position.x(), v.position.y(), 0);
-    const HoleSite site{area_, part_.lines, part_.rim, position};
+    const HoleSite site{area_, part_.lines, part_.rim, position, part_.options.is_cancelled};
     for (const LeftOpen& failure : division.seams.failures) {
       const auto boundary = boundaries.find(failure.cell);
       if (boundary == boundaries.end()) continue;

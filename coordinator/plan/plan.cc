@@ -143,6 +143,7 @@ void PlanPart(const PlanInput& input, const PlanInput& own, const GridLines& lin
   // What becomes of tiles that overlap is found on their own outlines.
   Rim rim = BuildRim(input, lines.joined ? RimPoints::kAll : RimPoints::kOfEdges);
   if (!input.area.empty()) CutByPolygon(input, lines, options, rim, plan);
+  if (options.cancelled()) return;
   const ClosingCells closing = FindClosingCells(input, lines, rim);
   RaiseSmallSizes(plan.lattice_step, rim);
   RaiseSizesAtShortEdges(rim);

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -111,7 +112,8 @@ struct RegionMesh {
   std::vector<RegionConflict> conflicts;
 };
 
-RegionMesh BuildRegionMesh(std::span<const LatticePoint> points, std::span<const RegionSegment> segments);
+RegionMesh BuildRegionMesh(std::span<const LatticePoint> points, std::span<const RegionSegment> segments,
+                           const std::function<bool()>& is_cancelled = {});
 RegionTriangulation ExportRegion(const RegionMesh& region, size_t segment_count);
 
 }  // namespace tilemend::internal

@@ -56,12 +56,12 @@ bool InsertAll(DelaunayMesh& mesh, std::vector<int32_t> indices, std::vector<std
 class RegionBuilder {
  public:
   RegionBuilder(std::span<const LatticePoint> points, std::span<const RegionSegment> segments);
-  RegionMesh Build() &&;
+  RegionMesh Build(const std::function<bool()>& is_cancelled) &&;
 
  private:
   void FindDegenerateSegments();
   void ReportCollinear();
-  void InsertSegments();
+  void InsertSegments(const std::function<bool()>& is_cancelled);
   void FindHalfEdges();
   void ColourParts();
   void FindInside();
@@ -124,7 +124,7 @@ int32_t RegionBuilder::Find(int32_t u, int32_t v) const {
   return it == end || segments_[*it].to != v ? -1 : *it;
 }
 
-RegionMesh RegionBuilder::Build() && {
+RegionMesh RegionBuilder::Build(const std::function<bool()>& is_cancelled) && {
   std::vector<int32_t> indices;
   for (size_t i = 0; i < used_.size(); ++i) {
     if (used_[i]) indices.push_back(static_cast<int32_t>(i));
@@ -136,7 +136,7 @@ RegionMesh RegionBuilder::Build() && {
     std::sort(coincident.begin(), coincident.end());
     for (const auto& [first, second] : coincident) Report(Kind::kCoincidentPoints, first, second);
     if (!spans_plane) ReportCollinear();
-    if (spans_plane) InsertSegments();
+    if (spans_plane) InsertSegments(is_cancelled);
     if (region_.conflicts.empty()) FindHalfEdges();
     if (region_.conflicts.empty()) ColourParts();
     if (region_.conflicts.empty()) FindInside();
@@ -186,7 +186,7 @@ void RegionBuilder::ReportCollinear() {
   for (size_t s = 0; s < segments_.size(); ++s) Report(Kind::kInsideOut, static_cast<int32_t>(s), -1);
 }
 
-void RegionBuilder::InsertSegments() {
+void RegionBuilder::InsertSegments(const std::function<bool()>& is_cancelled) {
   std::vector<bool> present(used_.size(), false);
   for (const MeshTriangle& t : mesh_.triangles) {
     for (int32_t v : t.corner) {
@@ -198,6 +198,7 @@ void RegionBuilder::InsertSegments() {
     const auto s = static_cast<int32_t>(i);
     const RegionSegment segment = segments_[s];
     if (skip_[s] || !present[segment.from] || !present[segment.to]) continue;
+    if (is_cancelled && is_cancelled()) return Report(Kind::kCancelled, s, s);
     const auto obstacle = inserter.Insert(segment.from, segment.to);
     if (!obstacle) continue;
     if (obstacle->is_point) {
@@ -355,8 +356,9 @@ void RegionBuilder::InsertFreePoints() {
 
 }  // namespace
 
-RegionMesh BuildRegionMesh(std::span<const LatticePoint> points, std::span<const RegionSegment> segments) {
-  return RegionBuilder(points, segments).Build();
+RegionMesh BuildRegionMesh(std::span<const LatticePoint> points, std::span<const RegionSegment> segments,
+                           const std::function<bool()>& is_cancelled) {
+  return RegionBuilder(points, segments).Build(is_cancelled);
 }
 
 RegionTriangulation ExportRegion(const RegionMesh& region, size_t segment_count) {
@@ -384,8 +386,9 @@ RegionTriangulation ExportRegion(const RegionMesh& region, size_t segment_count)
 
 }  // namespace internal
 
-RegionTriangulation TriangulateRegion(std::span<const LatticePoint> points, std::span<const RegionSegment> segments) {
-  return internal::ExportRegion(internal::BuildRegionMesh(points, segments), segments.size());
+RegionTriangulation TriangulateRegion(std::span<const LatticePoint> points, std::span<const RegionSegment> segments,
+                                      const std::function<bool()>& is_cancelled) {
+  return internal::ExportRegion(internal::BuildRegionMesh(points, segments, is_cancelled), segments.size());
 }
 
 }  // namespace tilemend

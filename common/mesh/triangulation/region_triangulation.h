@@ -6,12 +6,14 @@
 // which triangles are inside.
 //
 // Source: incremental insertion in Hilbert order with Lawson flips; constraint insertion after Sloan 1993 / Anglada
-// 1997. Cost O(n log n) expected; deterministic: the result depends on the input values alone.
+// 1997. Cost O(n log n) expected; more where segments cross many edges of the triangulation of their ends, as the teeth
+// of a comb do. Deterministic: the result depends on the input values alone.
 #ifndef TILEMEND_COMMON_MESH_TRIANGULATION_REGION_TRIANGULATION_H_
 #define TILEMEND_COMMON_MESH_TRIANGULATION_REGION_TRIANGULATION_H_
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -32,6 +34,7 @@ struct RegionConflict {
     kPointOnSegment,    // point second lies in the interior of segment first
     kDegenerate,        // segment first joins a point with itself, or stands twice in the list (second)
     kInsideOut,         // segment first has both the inside and the outside on one side: the sides do not fit together
+    kCancelled,         // at segment first
   };
   Kind kind;
   int32_t first;
@@ -54,8 +57,10 @@ struct RegionTriangulation {
 };
 
 // Triangulates the regions that `segments` bound. Free points, which no segment uses, are inserted too if they lie
-// inside a region and on no other point; others are ignored. Precondition: segment indices are in range (CHECKed).
-RegionTriangulation TriangulateRegion(std::span<const LatticePoint> points, std::span<const RegionSegment> segments);
+// inside a region and on no other point; others are ignored. `is_cancelled`, if given, is asked at each segment.
+// Precondition: segment indices are in range (CHECKed).
+RegionTriangulation TriangulateRegion(std::span<const LatticePoint> points, std::span<const RegionSegment> segments,
+                                      const std::function<bool()>& is_cancelled = {});
 
 }  // namespace tilemend
 

@@ -37,7 +37,7 @@ bool BoundsHeights(const HoleSite& site, const ClosedLoop& loop) {
   if (loop.vector_area.z() < 0) {
     for (RimSegment& s : around) std::swap(s.from, s.to);
   }
-  return FindPlanarRegions(around, site.position).triangulation.conflicts.empty();
+  return FindPlanarRegions(around, site.position, site.is_cancelled).triangulation.conflicts.empty();
 }
 
 Point3 MiddleOf(const HoleSite& site, const ClosedLoop& loop) {

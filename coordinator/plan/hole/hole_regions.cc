@@ -120,7 +120,9 @@ FoundHoles FindHoles(const HoleSite& site, const CellBoundary& boundary) {
       continue;
     }
     PlanarRegions regions;
-    if (loop.faces_up && loop.vector_area.z() > 0) regions = FindPlanarRegions(loop.segments, site.position);
+    if (loop.faces_up && loop.vector_area.z() > 0) {
+      regions = FindPlanarRegions(loop.segments, site.position, site.is_cancelled);
+    }
     closed.push_back({std::move(loop), std::move(regions), {}});
   }
   FoundHoles found;

@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COORDINATOR_PLAN_HOLE_HOLE_SITE_H_
 #define TILEMEND_COORDINATOR_PLAN_HOLE_HOLE_SITE_H_
 
+#include <functional>
 #include <set>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct HoleSite {
   const GridLines& lines;
   const Rim& rim;
   const std::vector<Point3>& position;  // of the rim points, then of the seam vertices (heights mean nothing there)
+  const std::function<bool()> is_cancelled = {};  // as in PlanOptions
 };
 
 }  // namespace tilemend

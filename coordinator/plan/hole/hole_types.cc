@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/mesh/box_tree.h"
 #include "common/mesh/edge_loops.h"
 #include "common/mesh/segment_distance.h"
 
@@ -40,14 +41,22 @@ bool IsCrack(std::span<const RimSegment> loop, const std::vector<Point3>& positi
   });
 }
 
-// Every vertex within the threshold of some edge that it is no end of. Stops at the first that is not, so it is cheap
-// on holes.
+// Every vertex within the threshold of some edge that it is no end of. Cost: O(n log n).
 bool IsDislocation(std::span<const RimSegment> loop, const std::vector<Point3>& position) {
-  return std::all_of(loop.begin(), loop.end(), [&](const RimSegment& v) {
-    return std::any_of(loop.begin(), loop.end(), [&](const RimSegment& s) {
-      return s.from != v.from && s.to != v.from &&
-             DistanceToSegment(position[v.from], position[s.from], position[s.to]) < kDislocation;
-    });
+  const auto is_near = [&](const RimSegment& v, const RimSegment& s) {
+    return s.from != v.from && s.to != v.from &&
+           DistanceToSegment(position[v.from], position[s.from], position[s.to]) < kDislocation;
+  };
+  // The first vertex of most holes is far from all other edges.
+  if (std::ranges::none_of(loop, [&](const RimSegment& s) { return is_near(loop[0], s); })) return false;
+  std::vector<Eigen::AlignedBox3d> boxes;
+  boxes.reserve(loop.size());
+  for (const RimSegment& s : loop) boxes.push_back(Eigen::AlignedBox3d(position[s.from]).extend(position[s.to]));
+  const BoxTree edges(boxes);
+  const Point3 reach = Point3::Constant(kDislocation);
+  return std::ranges::all_of(loop, [&](const RimSegment& v) {
+    const Point3& p = position[v.from];
+    return edges.AnyMeeting({p - reach, p + reach}, [&](int32_t e) { return is_near(v, loop[e]); });
   });
 }
 

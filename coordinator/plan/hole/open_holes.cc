@@ -84,7 +84,7 @@ class OpenHoleFinder {
  private:
   // Adds the holes that the segments bound; nothing if they bound none.
   bool AddRegions(const Segments& open) {
-    PlanarRegions regions = FindPlanarRegions(RimSegmentsOf(open), site_.position);
+    PlanarRegions regions = FindPlanarRegions(RimSegmentsOf(open), site_.position, site_.is_cancelled);
     const RegionTriangulation& triangulation = regions.triangulation;
     crosses_ = std::any_of(triangulation.conflicts.begin(), triangulation.conflicts.end(),
                            [](const RegionConflict& c) { return c.kind != RegionConflict::Kind::kInsideOut; });

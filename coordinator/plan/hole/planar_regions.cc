@@ -22,7 +22,8 @@ std::vector<LatticePoint> OnLattice(const std::vector<int32_t>& vertices, const 
 
 }  // namespace
 
-PlanarRegions FindPlanarRegions(std::span<const RimSegment> segments, const std::vector<Point3>& position) {
+PlanarRegions FindPlanarRegions(std::span<const RimSegment> segments, const std::vector<Point3>& position,
+                                const std::function<bool()>& is_cancelled) {
   PlanarRegions regions;
   if (segments.empty()) return regions;
   std::unordered_map<int32_t, int32_t> number;
@@ -36,7 +37,7 @@ PlanarRegions FindPlanarRegions(std::span<const RimSegment> segments, const std:
     const int32_t from = vertex(s.from);
     local.push_back({from, vertex(s.to)});
   }
-  regions.triangulation = TriangulateRegion(OnLattice(regions.vertices, position), local);
+  regions.triangulation = TriangulateRegion(OnLattice(regions.vertices, position), local, is_cancelled);
   regions.area.assign(static_cast<size_t>(regions.triangulation.component_count), 0.0);
   for (size_t t = 0; t < regions.triangulation.triangles.size(); ++t) {
     const Triangle& tri = regions.triangulation.triangles[t];

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -20,7 +21,8 @@ struct PlanarRegions {
 };
 
 // The regions to the left of the segments. `position` is by vertex. Cost O(n log n), exact topology.
-PlanarRegions FindPlanarRegions(std::span<const RimSegment> segments, const std::vector<Point3>& position);
+PlanarRegions FindPlanarRegions(std::span<const RimSegment> segments, const std::vector<Point3>& position,
+                                const std::function<bool()>& is_cancelled = {});
 
 // Whether p lies in component `component` of the regions. Cost O(triangles).
 bool Contains(const PlanarRegions& regions, int32_t component, const Point2& p, const std::vector<Point3>& position);

@@ -138,7 +138,7 @@ class MeshPlanner {
   bool ProjectsUpright(const std::vector<RimSegment>& segments) const {
     const bool faces_up = std::all_of(segments.begin(), segments.end(),
                                       [&](const RimSegment& s) { return rim_.points[s.from].normal.z() > 0; });
-    return faces_up && FindPlanarRegions(segments, position_).triangulation.component_count == 1;
+    return faces_up && FindPlanarRegions(segments, position_, options_.is_cancelled).triangulation.component_count == 1;
   }
 
   void Leave(const char* reason, size_t edges, bool is_hole) {

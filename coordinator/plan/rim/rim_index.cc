@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "common/mesh/segment_distance.h"
 
@@ -51,10 +53,26 @@ BinGrid BinsOf(const Rim& rim, double mean_size) {
   return BinGrid(extent, step, count, box_of);
 }
 
+// Of the points where edges begin, each once.
+GrownSizes SizesOf(const Rim& rim) {
+  std::vector<bool> seen(rim.points.size(), false);
+  std::vector<GrownSizes::Point> points;
+  for (const RimEdge& e : rim.edges) {
+    if (seen[e.from]) continue;
+    seen[e.from] = true;
+    points.push_back({PlaceOf(rim, e.from), rim.points[e.from].size});
+  }
+  return GrownSizes(std::move(points));
+}
+
 }  // namespace
 
 RimIndex::RimIndex(const Rim& rim)
-    : rim_(rim), mean_size_(MeanLength(rim)), bins_(BinsOf(rim, mean_size_)), corners_(rim.points.size()) {
+    : rim_(rim),
+      mean_size_(MeanLength(rim)),
+      bins_(BinsOf(rim, mean_size_)),
+      sizes_(SizesOf(rim)),
+      corners_(rim.points.size()) {
   for (const std::vector<int32_t>& loop : rim.loops) {
     for (size_t k = 0; k < loop.size(); ++k) {
       const int32_t point = rim.edges[loop[k]].to;
@@ -128,21 +146,6 @@ double RimIndex::Distance(const Point2& p, double limit) const {
   const Point2 reach = Point2::Constant(limit);
   for (const int32_t i : EdgesIn(p - reach, p + reach)) {
     best = std::min(best, DistanceToSegment(p, At(rim_.edges[i].from), At(rim_.edges[i].to)));
-  }
-  return best;
-}
-
-double RimIndex::SizeAt(const Point2& p, double growth, double limit) const {
-  double best = limit;
-  double radius = 4 * bins_.step();
-  // Points farther than `radius` cannot give less than growth * radius: search wider until that is no gain.
-  for (double done = 0; growth * done < best; done = radius, radius *= 2) {
-    const Point2 reach = Point2::Constant(radius);
-    for (const int32_t i : EdgesIn(p - reach, p + reach)) {
-      const RimPoint& v = rim_.points[rim_.edges[i].from];
-      best = std::min(best, v.size + growth * (v.position.head<2>() - p).norm());
-    }
-    if (radius > bins_.step() * static_cast<double>(bins_.columns() + bins_.rows()) * 2) break;
   }
   return best;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/mesh/bin_grid.h"
+#include "coordinator/plan/rim/grown_sizes.h"
 #include "coordinator/plan/rim/rim.h"
 
 namespace tilemend {
@@ -30,8 +31,8 @@ class RimIndex {
   // Distance to the nearest rim edge, at most `limit`.
   double Distance(const Point2& p, double limit) const;
 
-  // Minimum over the rim points v of size(v) + growth * |p - v|, at most `limit`.
-  double SizeAt(const Point2& p, double growth, double limit) const;
+  // Minimum over the points v of rim edges of size(v) + growth * |p - v|, at most `limit`.
+  double SizeAt(const Point2& p, double growth, double limit) const { return sizes_.At(p, growth, limit); }
 
   // Whether there is surface at p: its winding number in the rim is positive, or it lies on the rim within `tolerance`.
   bool InSurface(const Point2& p, double tolerance) const;
@@ -49,7 +50,8 @@ class RimIndex {
 
   const Rim& rim_;
   double mean_size_;
-  BinGrid bins_;  // of the edges
+  BinGrid bins_;      // of the edges
+  GrownSizes sizes_;  // of the points
   std::vector<std::vector<std::pair<int32_t, int32_t>>>
       corners_;  // per point: the points before and after it along its loops, elsewhere seen from above
 };

@@ -33,7 +33,7 @@ struct Stretch {
 };
 
 // The integral of 1 / size along a stretch, as (place, value) by small steps: how many edges fit up to there. None if
-// they are more than `most`.
+// they are more than `most`, or once the plan is cancelled.
 std::optional<std::vector<std::pair<double, double>>> CountEdges(const SeamSite& site, const Stretch& stretch,
                                                                  int64_t most) {
   std::vector<std::pair<double, double>> steps = {{stretch.begin, 0.0}};
@@ -41,7 +41,7 @@ std::optional<std::vector<std::pair<double, double>>> CountEdges(const SeamSite&
   for (double t = stretch.begin; t < stretch.end;) {
     const double size = SeamSizeAt(site, stretch.At(t));
     const double next = std::min(stretch.end, t + size / 8);
-    if (next <= t || sum > static_cast<double>(most)) return std::nullopt;
+    if (next <= t || sum > static_cast<double>(most) || site.options.cancelled()) return std::nullopt;
     sum += (next - t) / size;
     t = next;
     steps.emplace_back(t, sum);
@@ -62,6 +62,7 @@ std::optional<std::vector<SeamPlace>> SpacedPlaces(const SeamSite& site, const S
     while (k + 1 < steps.size() && steps[k + 1].second < share) ++k;
     const double f = (share - steps[k].second) / (steps[k + 1].second - steps[k].second);
     const double t = steps[k].first + f * (steps[k + 1].first - steps[k].first);
+    if (site.options.cancelled()) return std::nullopt;
     const Point2 p = stretch.At(RoundedToLattice(t, site.lattice_step));
     if (p[stretch.axis] <= stretch.begin || p[stretch.axis] >= stretch.end) continue;
     const double size = SeamSizeAt(site, p);
@@ -99,7 +100,7 @@ std::vector<SeamPlace> PlacesBesideRim(const SeamSite& site, const Stretch& stre
 std::vector<Point2> SpacedBetween(const SeamSite& site, const Point2& from, const Point2& to) {
   const double length = (to - from).norm();
   std::vector<double> steps = {0}, counts = {0};
-  while (steps.back() < length) {
+  while (steps.back() < length && !site.options.cancelled()) {
     const double size = SeamSizeAt(site, from + steps.back() / length * (to - from));
     const double least = length / static_cast<double>(kMostSeamEdges);
     const double next = std::min(length, steps.back() + std::max(size / 8, least));

@@ -403,6 +403,24 @@ TEST(MakePlanTest, IsEmptyOnceItIsCancelled) {
   }
 }
 
+// A hole may have a million rim vertices: each of them is an occasion to end.
+TEST(MakePlanTest, IsEmptyWheneverItIsCancelledAlongARim) {
+  const SurveyedScene scene = PictureScene({"########", "#......#", "#......#", "########"}, 4);
+  int asked = 0, last = std::numeric_limits<int>::max();
+  PlanOptions options;
+  options.is_cancelled = [&] { return asked++ >= last; };
+  const Plan plan = MakePlan(scene.Input(), options);
+  int64_t segments = 0;
+  for (const PlannedHole& hole : plan.holes) segments += std::ssize(hole.segments);
+  EXPECT_GE(segments, 20);
+  EXPECT_GT(asked, segments);
+  for (last = asked - 1; last >= 0; last -= 3) {
+    asked = 0;
+    EXPECT_TRUE(MakePlan(scene.Input(), options).holes.empty()) << last;
+    EXPECT_LE(asked, last + 100) << last;
+  }
+}
+
 // A file of polygons may be long: each of them is an occasion to end.
 TEST(MakePlanTest, IsEmptyIfItIsCancelledWhileItLooksAtPolygons) {
   const SurveyedScene scene = PictureScene({"####", "#..#", "#..#", "####"}, 2);

@@ -52,6 +52,19 @@ TEST(TriangulateRegionTest, PointsWithoutSegmentsGiveNothing) {
   EXPECT_THAT(TriangulateRegion(points, {}).conflicts, IsEmpty());
 }
 
+TEST(TriangulateRegionTest, EndsAtTheSegmentWhereItIsCancelled) {
+  const Region region = RandomStar(1, 100, 1000);
+  const auto count = static_cast<int>(region.segments.size());
+  for (const int last : {0, 1, count / 2, count - 1, count}) {
+    int asked = 0;
+    const auto result = TriangulateRegion(region.points, region.segments, [&] { return asked++ == last; });
+    const bool is_whole = last == count;
+    EXPECT_EQ(asked, is_whole ? count : last + 1);
+    EXPECT_EQ(Kinds(result), is_whole ? std::vector<Kind>() : std::vector{Kind::kCancelled}) << last;
+    EXPECT_EQ(result.triangles.empty(), !is_whole) << last;
+  }
+}
+
 TEST(TriangulateRegionTest, TriangleStaysOne) {
   const auto result = TriangulateAndCheck(Region().Loop({{0, 0}, {10, 0}, {3, 7}}));
   EXPECT_EQ(result.triangles.size(), 1u);

@@ -35,6 +35,20 @@ TEST(ClassifySingleTest, FindsADislocationWhereTheSidesAreAHairApart) {
   EXPECT_EQ(TypeOf({wide}), SingleType::kSimple);
 }
 
+TEST(ClassifySingleTest, FindsADislocationOfManyVertices) {
+  Loop3 slit;
+  constexpr int kVertices = 50'000;
+  const auto at = [](int i, double radius) {
+    const double angle = 5.0 * i / kVertices;
+    return Point3(100 * radius * std::cos(angle), 100 * radius * std::sin(angle), 0);
+  };
+  for (int i = 0; i < kVertices; ++i) slit.push_back(at(i, 1));
+  for (int i = kVertices; i > 0; --i) slit.push_back(at(i - 1, 1 + 3e-6));
+  EXPECT_EQ(TypeOf({slit}), SingleType::kDislocation);
+  slit[kVertices / 2].x() += 1;
+  EXPECT_EQ(TypeOf({slit}), SingleType::kSimple);
+}
+
 TEST(ClassifySingleTest, FindsRingsAndIslands) {
   const Loop3 hole = HoleLoop(1, 1, 9, 9);
   EXPECT_EQ(TypeOf({hole, PieceLoop(2, 2, 8, 8)}), SingleType::kAnnular);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "tests/support/rim_builders.h"
@@ -144,6 +145,25 @@ TEST(PlaceSeamVerticesTest, DoesNotDependOnWhichWayTheLineRuns) {
   for (size_t i = 0; i < places.size(); ++i) {
     EXPECT_NEAR(places[i].position.x(), upright[i].position.y(), 2 * kStep);
   }
+}
+
+TEST(PlaceSeamVerticesTest, EndsOnceItIsCancelled) {
+  const RoundHole hole(20, 64);
+  const RimIndex index(hole.rim);
+  PlanOptions options;
+  int asked = 0, last = std::numeric_limits<int>::max();
+  options.is_cancelled = [&] { return asked++ >= last; };
+  const SeamSite site{hole.area, hole.lines, hole.rim, index, options, kStep};
+  const auto places = PlaceSeamVertices(site, {{0, 0}, {1, 0}}, hole.from, hole.to);
+  ASSERT_TRUE(places);
+  EXPECT_GT(asked, std::ssize(*places));
+  const int all = asked;
+  for (last = 0; last < all; last += 5) {
+    asked = 0;
+    EXPECT_FALSE(PlaceSeamVertices(site, {{0, 0}, {1, 0}}, hole.from, hole.to)) << last;
+  }
+  last = asked = 0;
+  EXPECT_TRUE(SpacedBetween(site, hole.from, hole.to).empty());
 }
 
 TEST(PlaceSeamVerticesTest, RefusesMoreEdgesThanItMayLay) {
