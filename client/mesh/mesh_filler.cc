@@ -29,12 +29,16 @@ namespace {
 // Of the length of an edge. Coordinates that are rounded to more turn a triangle by more than half a degree.
 constexpr double kCoarseStep = 0.01;
 
+// Patches of a single mesh are in no result of a worker: indices alone bound them.
+constexpr int64_t kMostNewPoints = 1 << 30;
+
 // Does the work on one mesh, one piece after the other.
 class MeshFiller {
  public:
   MeshFiller(EditedMesh& mesh, const MeshFillOptions& options)
       : mesh_(mesh), options_(options.fill), weld_(options.weld), library_(options.library), show_(options.show) {
     options_.published = AllPublishedWays();
+    options_.refine.max_new_points = kMostNewPoints;
     WaveOptions waves;
     waves.plan = {
         options_.refine.gradation, options_.refine.size_limit, options_.refine.uniform, options.water, options.holes,

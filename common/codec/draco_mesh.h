@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "common/mesh/mesh_limits.h"
 #include "common/mesh/tri_mesh.h"
 
 namespace tilemend {
@@ -24,8 +25,8 @@ struct LatticeMesh {
 
 // What a decoder accepts. Memory stays below about 60 bytes a point and 30 a triangle, plus 20 MB.
 struct DracoLimits {
-  int64_t max_points = 4'000'000;
-  int64_t max_triangles = 8'000'000;
+  int64_t max_points = kMaxResultPoints;
+  int64_t max_triangles = kMaxResultTriangles;
 };
 
 // Always succeeds, for any topology: no points, no triangles, degenerate or doubled triangles. The same mesh gives the

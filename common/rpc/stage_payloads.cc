@@ -351,8 +351,8 @@ namespace {
 absl::Status CheckPatchCounts(const v1::FillOutput& proto, size_t vertex_count, const TriMesh& mesh) {
   int64_t points = static_cast<int64_t>(vertex_count), triangles = 0;
   for (const v1::PatchExtent& e : proto.patches()) {
-    if (e.new_points() < 0 || e.triangles() < 0 || e.new_points() > DracoLimits().max_points ||
-        e.triangles() > DracoLimits().max_triangles || !v1::FillWay_IsValid(e.way())) {
+    if (e.new_points() < 0 || e.triangles() < 0 || e.new_points() > kMaxResultPoints ||
+        e.triangles() > kMaxResultTriangles || !v1::FillWay_IsValid(e.way())) {
       return Malformed("patch extent");
     }
     points += e.new_points();

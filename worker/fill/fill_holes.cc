@@ -88,6 +88,7 @@ class HoleFiller {
       if (patch.ok() && way.check == Check::kNothing && MayCross(way)) {
         patch = MendCrossings(hole_, std::move(patch), crossings_);
       }
+      if (patch.ok() && !Fits(patch)) patch.failure = FillFailure::kTooLarge;
       if (patch.ok()) {
         Keep(way.name, std::move(patch));
         if (best_rank_.faults == 0 && !MayGoOnBetterInSpace()) break;
@@ -224,6 +225,9 @@ class HoleFiller {
     return *free_hole_;
   }
 
+  // A patch with as many new vertices as it may have was not refined to the end.
+  bool Fits(const LocalPatch& patch) const { return std::ssize(patch.new_points) < options_.refine.max_new_points; }
+
   bool GoesAstray(const LocalPatch& patch) const {
     if (!crossings_.StaysNear(patch)) return true;
     const ProjectionFrame heights = FrameOfHeights(hole_);
@@ -267,9 +271,12 @@ std::vector<HolePatch> FillHoles(const CellHoles& cell, const FillOptions& optio
   CellBand band(cell);
   std::vector<HolePatch> patches;
   EarlierPatches earlier(cell, patches);
+  FillOptions rest = options;  // with what the patches before leave of the limit
+  rest.refine.max_new_points -= std::ssize(cell.vertices);
   for (const CellHole& hole : cell.holes) {
     if (options.refine.cancelled()) break;
-    HolePatch patch = HoleFiller(cell, hole, band, options, near, earlier).Run();
+    HolePatch patch = HoleFiller(cell, hole, band, rest, near, earlier).Run();
+    rest.refine.max_new_points -= std::ssize(patch.new_points);
     patch.hole = hole.id;
     if (&hole != &cell.holes.back()) band.Add(hole, patch);
     patches.push_back(std::move(patch));

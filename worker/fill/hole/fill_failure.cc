@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 
+#include "common/mesh/mesh_limits.h"
 #include "worker/fill/hole/fill_options.h"
 
 namespace tilemend {
@@ -72,6 +73,9 @@ std::string TextOf(FillFailure failure, size_t boundary_edges) {
     case FillFailure::kRimIsCrossed:
       return "the surface around it passes through its boundary and through every patch that was tried; repair the "
              "mesh first";
+    case FillFailure::kTooLarge:
+      return "the fill of its cell would have more than " + std::to_string(kMaxResultPoints / 1'000'000) +
+             " million vertices; smaller cells or a larger --gradation make it smaller";
     case FillFailure::kTooLongForArea:
     case FillFailure::kTooLongForFront:
       return TextOfLength(failure, boundary_edges);

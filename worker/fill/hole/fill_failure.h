@@ -31,6 +31,7 @@ enum class FillFailure {
   kTooLongForFront,
   kTooMuchWork,
   kGoesFar,
+  kTooLarge,
 };
 
 // For people.

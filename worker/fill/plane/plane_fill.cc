@@ -59,6 +59,7 @@ class PlaneFiller {
     std::vector<LatticePoint>& points = planar_->points;
     region = RefineRegion(points, fixed_edges_, planar_->sizes, options_.refine);
     if (options_.refine.cancelled()) return FillFailure::kNotApplicable;
+    if (std::ssize(region.new_points) >= options_.refine.max_new_points) return FillFailure::kTooLarge;
     if (!region.triangulation.conflicts.empty()) {
       return hole_.open ? FillFailure::kCrossesSeenFromAbove : FillFailure::kCrossesOnItsPlane;
     }

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "common/mesh/mesh_limits.h"
 #include "common/mesh/triangulation/region_triangulation.h"
 
 namespace tilemend {
@@ -21,8 +22,8 @@ struct RefineOptions {
   double size_limit = 16.0;
   // Keeps the rim's size throughout: the size inside is interpolated from the rim's.
   bool uniform = false;
-  // A safety net against a bad size field: at most this many new points; reaching it stops refinement (still valid).
-  int64_t max_new_points = 20'000'000;
+  // At most this many new points; reaching it stops refinement (still valid).
+  int64_t max_new_points = kMaxResultPoints;
   // Asked now and then; true ends the refinement, and nobody wants what comes of it. None: never.
   std::function<bool()> is_cancelled = {};
   bool cancelled() const { return is_cancelled && is_cancelled(); }

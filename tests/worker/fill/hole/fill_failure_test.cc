@@ -11,7 +11,7 @@ namespace {
 
 TEST(FillFailureTest, EveryReasonHasATextOfItsOwn) {
   std::set<std::string> texts;
-  for (auto f = static_cast<int>(FillFailure::kNoArea); f <= static_cast<int>(FillFailure::kTooMuchWork); ++f) {
+  for (auto f = static_cast<int>(FillFailure::kNoArea); f <= static_cast<int>(FillFailure::kTooLarge); ++f) {
     const std::string text = TextOf(static_cast<FillFailure>(f), 12);
     EXPECT_FALSE(text.empty()) << f;
     EXPECT_TRUE(texts.insert(text).second) << text;
