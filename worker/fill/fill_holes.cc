@@ -89,6 +89,8 @@ class HoleFiller {
         patch = MendCrossings(hole_, std::move(patch), crossings_);
       }
       if (patch.ok() && !Fits(patch)) patch.failure = FillFailure::kTooLarge;
+      // The patches of other ways would be as large.
+      if (patch.failure == FillFailure::kTooLarge && !best_) return Failed(patch.failure);
       if (patch.ok()) {
         Keep(way.name, std::move(patch));
         if (best_rank_.faults == 0 && !MayGoOnBetterInSpace()) break;
