@@ -122,7 +122,7 @@ TEST(SoupTest, IsNeverMadeWorse) {
     }
     TriMesh oriented = filled.mesh;  // turned faces count as if they were turned back
     oriented.triangles.resize(filled.originals);
-    OrientFaces(oriented);
+    OrientFaces(PointRows(oriented.points), oriented.triangles);
     const EdgeCounts along = DirectedEdgesOf(oriented, 0, filled.originals);
     for (const auto& [edge, count] : DirectedEdgesOf(filled.mesh, filled.originals, filled.mesh.triangles.size())) {
       ASSERT_EQ(count, 1) << "an edge of two new triangles that face opposite ways";

@@ -378,6 +378,8 @@ bool IsTrue(const Region& r, const RegionConflict& c) {
              (s[c.first].from == s[c.second].from && s[c.first].to == s[c.second].to);
     case Kind::kInsideOut:
       return true;
+    case Kind::kCancelled:  // nobody cancels here
+      return false;
   }
   return false;
 }
