@@ -55,13 +55,14 @@ double ExpectedVertices(const CellHoles& cell, const CellHole& hole, const Refin
 }
 
 int64_t FillMemory(const CellHoles& cell, const FillOptions& options) {
+  const auto limit = static_cast<double>(options.refine.max_new_points);
   double most = 0, all = 0;
   for (const CellHole& hole : cell.holes) {
-    const double vertices = ExpectedVertices(cell, hole, options.refine);
+    const double vertices = std::min(ExpectedVertices(cell, hole, options.refine), limit);
     most = std::max(most, MemoryOfPatch(vertices, IsFaired(hole, options)));
     all += vertices;
   }
-  return static_cast<int64_t>(kOfTask + most + kOfResult * all);
+  return static_cast<int64_t>(kOfTask + most + kOfResult * std::min(all, limit));
 }
 
 int64_t SampleMemory(const CellHoles& cluster, const FillOptions& options) {

@@ -13,7 +13,8 @@ namespace tilemend {
 // area, or as they grow inward from it. Linear in the boundary.
 double ExpectedVertices(const CellHoles& cell, const CellHole& hole, const RefineOptions& options);
 
-// Bytes that FillHoles takes at most at a time, and SampleCluster of the same holes. By measurement:
+// Bytes that FillHoles takes at most at a time, and SampleCluster of the same holes. No more vertices count than
+// options.refine.max_new_points, where FillHoles stops. By measurement:
 // docs/decisions/2026-11-25-memory-of-tasks.md.
 int64_t FillMemory(const CellHoles& cell, const FillOptions& options);
 int64_t SampleMemory(const CellHoles& cluster, const FillOptions& options);

@@ -107,6 +107,21 @@ TEST(FillMemoryTest, HolesOfACellAreFilledOneByOne) {
   EXPECT_LT(FillMemory(work, options), one + one / 2);
 }
 
+TEST(FillMemoryTest, CountsNoMoreVerticesThanTheFillMayHave) {
+  CellHoles work = SquareHole(100);
+  for (const Surface surface : {Surface::kThinPlate, Surface::kWang}) {
+    FillOptions options = Options(surface, true);
+    ASSERT_GT(Expected(work, options.refine), 5000);
+    const int64_t free = FillMemory(work, options);
+    options.refine.max_new_points = 2000;
+    const int64_t limited = FillMemory(work, options);
+    EXPECT_LT(limited, free / 2);
+    CellHoles twice = work;
+    twice.holes.push_back(work.holes[0]);
+    EXPECT_EQ(FillMemory(twice, options), limited);
+  }
+}
+
 TEST(SampleMemoryTest, IsOfAllHolesUpToWhatOneSolveMayHave) {
   CellHoles work = SquareHole(100);
   const FillOptions options = Options(Surface::kThinPlate, true);
