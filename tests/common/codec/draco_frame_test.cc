@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 namespace tilemend {
 namespace {
@@ -39,10 +40,16 @@ TEST(FrameTest, GivesBackWhatItHolds) {
   }
 }
 
-// The check value that RFC 3720, B.4, gives for 32 bytes of zeros.
+// The check values of RFC 3720, B.4, and the usual one of "123456789", whose length is no multiple of eight.
 TEST(FrameTest, ChecksumIsCrc32c) {
-  const std::string bytes = WrapFrame(FrameContent::kPlain, std::string(32, '\0'));
-  EXPECT_EQ(LoadUint32(bytes.data() + 13), 0x8a9136aau);
+  std::string rising(32, '\0');
+  for (size_t i = 0; i < rising.size(); ++i) rising[i] = static_cast<char>(i);
+  for (const auto& [payload, checksum] : {std::pair(std::string(32, '\0'), 0x8a9136aau),
+                                          {std::string(32, '\xff'), 0x62a8ab43u},
+                                          {rising, 0x46dd794eu},
+                                          {std::string("123456789"), 0xe3069283u}}) {
+    EXPECT_EQ(LoadUint32(WrapFrame(FrameContent::kPlain, payload).data() + 13), checksum);
+  }
 }
 
 TEST(FrameTest, SaysWhatIsWrong) {
