@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <span>
 #include <tuple>
@@ -51,7 +52,7 @@ class AddedFaultFinder {
     const std::vector<int32_t> of_after = Weld(after);
     points_ = index_.positions();
     for (size_t t = 0; t < after.triangles.size(); ++t) AddFaceAfter(after, t, change.added[t], of_after);
-    count_after_ = std::ssize(faces_);
+    count_after_ = faces_.size();
     for (const int32_t t : change.missing) {
       if (HasArea(before, t)) faces_.push_back({Welded(before, t, of_before), FaceOrigin::kMissing, false, t});
     }
@@ -158,14 +159,16 @@ class AddedFaultFinder {
     return {points_[corners[0]], points_[corners[1]], points_[corners[2]]};
   }
 
+  std::span<const Face> FacesAfter() const { return std::span(faces_).first(count_after_); }
+
   bool IsAdded(int32_t f) const { return faces_[f].origin == FaceOrigin::kAdded; }
 
   void LookForCrossings() {
-    faces_.resize(count_after_);
-    if (std::ranges::none_of(faces_, [](const Face& f) { return f.origin == FaceOrigin::kAdded; })) return;
+    const std::span faces = FacesAfter();
+    if (std::ranges::none_of(faces, [](const Face& f) { return f.origin == FaceOrigin::kAdded; })) return;
     std::vector<Triangle> triangles;
     std::vector<bool> is_added;
-    for (const Face& face : faces_) {
+    for (const Face& face : faces) {
       triangles.push_back(face.corners);
       is_added.push_back(face.origin == FaceOrigin::kAdded);
     }
@@ -173,12 +176,13 @@ class AddedFaultFinder {
     if (!pairs.empty()) TellCrossings(pairs, ContinueCrossings(points_, triangles, is_added, pairs));
   }
 
-  // Of which one or both were added, sorted.
+  // Pairs of which one or both were added, sorted. `triangles` are those of FacesAfter.
   std::vector<CrossingPair> CrossingPairs(std::span<const Triangle> triangles) const {
     std::vector<int32_t> added;
     std::vector<Eigen::AlignedBox3d> boxes;
     Eigen::AlignedBox3d all;
-    for (int32_t f = 0; f < std::ssize(faces_); ++f) {
+    const auto count = static_cast<int32_t>(triangles.size());
+    for (int32_t f = 0; f < count; ++f) {
       if (!IsAdded(f)) continue;
       added.push_back(f);
       all.extend(boxes.emplace_back(BoxOf(InSpace(f))));
@@ -186,7 +190,7 @@ class AddedFaultFinder {
     const CornerCones cones(points_, triangles);
     const BoxTree tree(boxes);
     std::vector<CrossingPair> pairs;
-    for (int32_t b = 0; b < std::ssize(faces_); ++b) {
+    for (int32_t b = 0; b < count; ++b) {
       const Eigen::AlignedBox3d box = BoxOf(InSpace(b));
       if (!box.intersects(all)) continue;
       tree.AnyMeeting(box, [&](int32_t i) {
@@ -229,7 +233,7 @@ class AddedFaultFinder {
   int32_t originals_ = 0;       // vertices of the tile before: the first of index_
   std::vector<Point3> points_;  // welded
   std::vector<Face> faces_;     // of the tile after, and then those that are missing there
-  std::ptrdiff_t count_after_ = 0;
+  size_t count_after_ = 0;      // faces of the tile after
   AddedFindings found_;
 };
 

@@ -46,9 +46,9 @@ struct AddedFindings {
   std::vector<bool> inner;     // of each triangle of `after`: it was added, and has no vertex at an original one
 };
 
-// Compares the tile `after` with what it was `before`; `change` says which triangles went and came (CompareTiles).
-// Vertices at equal positions are one. Triangles without area count for no edge. Touching is decided by exact signs.
-// Pure. O(n + k log k) for k added triangles, as crossings are looked for at these alone.
+// Compares the tile `after` with what it was `before`; `change` says which triangles were removed and added
+// (CompareTiles). Vertices at equal positions are one. Triangles without area count for no edge. Touching is decided by
+// exact signs. Pure. O(n log n); crossings are looked for at added triangles alone.
 AddedFindings FindAddedFaults(const TriMesh& before, const TriMesh& after, const TileChange& change);
 
 }  // namespace tilemend

@@ -3,6 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
 #include "tests/support/mesh_builders.h"
 
 namespace tilemend {
@@ -26,6 +32,18 @@ struct Sheet {
 AddedFindings Find(const TriMesh& before, const TriMesh& after) {
   const LookedMesh was{before, {}}, is{after, {}};
   return FindAddedFaults(before, after, CompareTiles(was, is));
+}
+
+// All that an open edge says but the number of its triangle.
+auto TupleOf(const OpenEdge& e) {
+  return std::tuple(e.from.x(), e.from.y(), e.from.z(), e.to.x(), e.to.y(), e.to.z(), e.before, e.after, e.is_added,
+                    e.is_inner, e.forward);
+}
+
+std::vector<decltype(TupleOf({}))> OpenOf(const AddedFindings& found) {
+  std::vector<decltype(TupleOf({}))> open;
+  for (const OpenEdge& e : found.open) open.push_back(TupleOf(e));
+  return open;
 }
 
 class AddedFaultsTest : public ::testing::Test {
@@ -142,6 +160,78 @@ TEST_F(AddedFaultsTest, AnotherCurveThroughTheSameTriangleIsNew) {
   const AddedFindings found = With({{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}, {{1.5, 1.5, -2}});
   EXPECT_THAT(found.faults.at(AddedFault::kCrossedRim), SizeIs(1));
   EXPECT_THAT(found.faults.at(AddedFault::kCrossedSurface), SizeIs(1));
+}
+
+int64_t CountOpen(const AddedFindings& found, int32_t before, int32_t after) {
+  return std::count_if(found.open.begin(), found.open.end(),
+                       [&](const OpenEdge& e) { return e.before == before && e.after == after; });
+}
+
+TEST_F(AddedFaultsTest, AnOriginalThatWasTakenOutLeavesOpenEdges) {
+  TriMesh after = before_.mesh;
+  // One of its edges is at the outline.
+  const Triangle gone = after.triangles.front();
+  after.triangles.erase(after.triangles.begin());
+  const AddedFindings found = Find(before_.mesh, after);
+  EXPECT_THAT(found.faults, IsEmpty());
+  EXPECT_EQ(CountOpen(found, 2, 1), 2);
+  EXPECT_EQ(CountOpen(found, 1, 0), 1);
+  for (const OpenEdge& e : found.open) {
+    if (e.before != 2) continue;
+    const auto is_corner = [&](const Point3& p) {
+      return std::ranges::any_of(gone, [&](int32_t v) { return before_.mesh.points[v] == p; });
+    };
+    EXPECT_TRUE(is_corner(e.from) && is_corner(e.to));
+    EXPECT_FALSE(e.is_added);
+    EXPECT_EQ(e.triangle, -1);
+  }
+}
+
+TEST_F(AddedFaultsTest, AnOriginalThatWasTakenOutAndFilledAgainIsNoFault) {
+  TriMesh after = before_.mesh;
+  const Triangle gone = after.triangles.front();
+  after.triangles.erase(after.triangles.begin());
+  after.triangles.push_back({gone[1], gone[2], gone[0]});  // other corners first: another triangle
+  const AddedFindings found = Find(before_.mesh, after);
+  EXPECT_THAT(found.faults, IsEmpty());
+  EXPECT_EQ(CountOpen(found, 2, 1), 0);
+  EXPECT_EQ(CountOpen(found, 1, 0), 0);
+  EXPECT_EQ(CountOpen(found, 1, 2), 0);
+}
+
+TEST_F(AddedFaultsTest, WhatIsFilledAgainCrossesNothingThatWasTakenOut) {
+  // A fence stands across one triangle; it is taken out, and the triangle is filled again.
+  const Triangle crossed = before_.mesh.triangles.front();
+  Point3 middle = Point3::Zero();
+  for (const int32_t v : crossed) middle += before_.mesh.points[v] / 3;
+  TriMesh after = before_.mesh;
+  AddOriginals({middle + Point3(-0.1, 0, -1), middle + Point3(0.1, 0, -1), middle + Point3(0, 0, 1)}, {{0, 1, 2}});
+  after.triangles.erase(after.triangles.begin());
+  after.triangles.push_back({crossed[1], crossed[2], crossed[0]});
+  EXPECT_THAT(Find(before_.mesh, after).faults, IsEmpty());
+}
+
+TEST_F(AddedFaultsTest, TheOrderOfTrianglesChangesNothing) {
+  TriMesh after = before_.mesh;
+  after.triangles.erase(after.triangles.begin() + 2);
+  after.triangles.push_back({after.triangles[4][0], after.triangles[4][2], after.triangles[4][1]});
+  after.points.insert(after.points.end(), {{0.2, 0.2, -1}, {0.8, 0.3, -1}, {0.5, 0.3, 1}});
+  const auto n = static_cast<int32_t>(after.points.size());
+  after.triangles.push_back({n - 3, n - 2, n - 1});
+  TriMesh turned = after;
+  std::ranges::reverse(turned.triangles);
+  const AddedFindings found = Find(before_.mesh, after), other = Find(before_.mesh, turned);
+  EXPECT_EQ(OpenOf(found), OpenOf(other));
+  EXPECT_GT(CountOpen(found, 2, 1), 0);
+  ASSERT_EQ(found.faults.size(), other.faults.size());
+  EXPECT_GT(found.faults.count(AddedFault::kCrossedSurface), 0U);
+  for (const auto& [fault, places] : found.faults) {
+    ASSERT_THAT(other.faults.at(fault), SizeIs(places.size()));
+    for (const AddedFaultPlace& place : places) {
+      EXPECT_TRUE(
+          std::ranges::any_of(other.faults.at(fault), [&](const AddedFaultPlace& o) { return o.at == place.at; }));
+    }
+  }
 }
 
 TEST_F(AddedFaultsTest, TrianglesWithoutAnOriginalVertexAreInner) {
