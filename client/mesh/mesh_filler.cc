@@ -15,6 +15,7 @@
 #include "client/mesh/single_mesh.h"
 #include "common/assemble/assemble.h"
 #include "common/mesh/height_tallies.h"
+#include "common/mesh/mesh_limits.h"
 #include "common/util/heap.h"
 #include "common/util/status_macros.h"
 #include "common/util/stopwatch.h"
@@ -29,16 +30,14 @@ namespace {
 // Of the length of an edge. Coordinates that are rounded to more turn a triangle by more than half a degree.
 constexpr double kCoarseStep = 0.01;
 
-// Patches of a single mesh are in no result of a worker: indices alone bound them.
-constexpr int64_t kMostNewPoints = 1 << 30;
-
 // Does the work on one mesh, one piece after the other.
 class MeshFiller {
  public:
   MeshFiller(EditedMesh& mesh, const MeshFillOptions& options)
       : mesh_(mesh), options_(options.fill), weld_(options.weld), library_(options.library), show_(options.show) {
     options_.published = AllPublishedWays();
-    options_.refine.max_new_points = kMostNewPoints;
+    options_.refine.max_new_points = kMaxSingleMeshPoints;
+    options_.is_single_mesh = true;
     WaveOptions waves;
     waves.plan = {
         options_.refine.gradation, options_.refine.size_limit, options_.refine.uniform, options.water, options.holes,

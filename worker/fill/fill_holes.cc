@@ -1,6 +1,7 @@
 #include "worker/fill/fill_holes.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <numbers>
 #include <optional>
@@ -66,9 +67,11 @@ struct Way {
 
 class HoleFiller {
  public:
+  // `max_vertices` is the limit of the cell, options.refine.max_new_points what is left of it for this hole.
   HoleFiller(const CellHoles& cell, const CellHole& hole, const CellBand& band, const FillOptions& options,
-             const SurfaceNear& near, const EarlierPatches& earlier)
+             int64_t max_vertices, const SurfaceNear& near, const EarlierPatches& earlier)
       : options_(options),
+        max_vertices_(max_vertices),
         hole_(MakeLocalHole(cell, band, hole)),
         crossings_(hole_, ReachOf(cell, hole), near, &earlier) {}
 
@@ -77,19 +80,9 @@ class HoleFiller {
     if (HasUnknownHeight()) return Failed(FillFailure::kUnknownHeights);
     for (const Way& way : Ways()) {
       if (best_ && best_rank_.faults == 0 && way.name != FillWay::kSpace) continue;
-      LocalPatch patch = way.fill();
+      LocalPatch patch = Checked(way, way.fill());
       if (options_.refine.cancelled()) break;
-      if (patch.ok() && way.check == Check::kFreely && GoesAstray(patch)) continue;
-      if (patch.ok() && way.check == Check::kPublished && GoesFar(patch)) patch.failure = FillFailure::kGoesFar;
-      if (patch.ok()) patch.failure = FaultOf(hole_, patch);
-      if (patch.ok() && way.check != Check::kNothing && crossings_.Crosses(patch)) {
-        patch.failure = way.check == Check::kPublished ? FillFailure::kPatchCrosses : FillFailure::kCrosses;
-      }
-      if (patch.ok() && way.check == Check::kNothing && MayCross(way)) {
-        patch = MendCrossings(hole_, std::move(patch), crossings_);
-      }
-      if (patch.ok() && !Fits(patch)) patch.failure = FillFailure::kTooLarge;
-      // The patches of other ways would be as large.
+      // A way that refines up to the limit takes seconds and up to a gigabyte: no other one is tried.
       if (patch.failure == FillFailure::kTooLarge && !best_) return Failed(patch.failure);
       if (patch.ok()) {
         Keep(way.name, std::move(patch));
@@ -115,6 +108,22 @@ class HoleFiller {
     double turn = 0;  // at the rim, radians
     auto operator<=>(const Rank&) const = default;
   };
+
+  // The patch of a way, with a failure if it is too large or unsound.
+  LocalPatch Checked(const Way& way, LocalPatch patch) {
+    if (patch.ok() && !Fits(patch)) patch.failure = FillFailure::kTooLarge;
+    if (!patch.ok() || options_.refine.cancelled()) return patch;
+    if (way.check == Check::kFreely && GoesAstray(patch)) return {FillFailure::kNotApplicable};
+    if (way.check == Check::kPublished && GoesFar(patch)) return {FillFailure::kGoesFar};
+    if (const FillFailure fault = FaultOf(hole_, patch); fault != FillFailure::kNone) return {fault};
+    if (way.check != Check::kNothing && crossings_.Crosses(patch)) {
+      return {way.check == Check::kPublished ? FillFailure::kPatchCrosses : FillFailure::kCrosses};
+    }
+    if (way.check != Check::kNothing || !MayCross(way)) return patch;
+    patch = MendCrossings(hole_, std::move(patch), crossings_);
+    if (patch.ok() && !Fits(patch)) patch.failure = FillFailure::kTooLarge;
+    return patch;
+  }
 
   // The first sound patch is the best; in a mesh that may lie in any way the one with the fewest creases and spikes,
   // and of those the one that goes on most nearly as the surface beside it.
@@ -252,13 +261,14 @@ class HoleFiller {
 
   HolePatch Failed(FillFailure failure) const {
     HolePatch patch;
-    patch.failure = TextOf(failure, hole_.segments.size());
+    patch.failure = TextOf(failure, {hole_.segments.size(), max_vertices_, !options_.is_single_mesh});
     if (hole_.open || !HasJunction(hole_)) return patch;
     patch.failure = std::string(kJunction) + (hole_.cell->upright ? kRepair : kWeld);
     return patch;
   }
 
   const FillOptions& options_;
+  const int64_t max_vertices_;
   const LocalHole hole_;
   CrossingCheck crossings_;
   std::optional<LocalHole> free_hole_;
@@ -277,7 +287,7 @@ std::vector<HolePatch> FillHoles(const CellHoles& cell, const FillOptions& optio
   rest.refine.max_new_points -= std::ssize(cell.vertices);
   for (const CellHole& hole : cell.holes) {
     if (options.refine.cancelled()) break;
-    HolePatch patch = HoleFiller(cell, hole, band, rest, near, earlier).Run();
+    HolePatch patch = HoleFiller(cell, hole, band, rest, options.refine.max_new_points, near, earlier).Run();
     rest.refine.max_new_points -= std::ssize(patch.new_points);
     patch.hole = hole.id;
     if (&hole != &cell.holes.back()) band.Add(hole, patch);

@@ -43,8 +43,8 @@ namespace tilemend {
 // Guarantees: every rim segment of a filled hole has exactly one patch triangle, oriented like the surface around it.
 // With the surface around it the patch makes no edge with three triangles and no triangle twice. No triangle is without
 // area. New vertices lie on the lattice, or where that is too coarse on what the output holds. A hole that cannot be
-// filled so has a failure and no geometry. The same goes for a hole whose new vertices, together with the vertices of
-// the cell and those of the patches before, would reach options.refine.max_new_points. Once options.refine is
+// filled so has a failure and no geometry. The same goes for a hole whose patch would bring the vertices of the cell
+// and its patches so far to options.refine.max_new_points or more; no further way is tried then. Once options.refine is
 // cancelled, patches are missing or failed. Heights of seam vertices must be known. Deterministic; pure; safe from any
 // thread. After each hole `hole_done` is called.
 std::vector<HolePatch> FillHoles(const CellHoles& cell, const FillOptions& options, const SurfaceNear& near = {},

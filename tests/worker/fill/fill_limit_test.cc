@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "tests/support/mesh_builders.h"
@@ -35,6 +36,13 @@ CellHoles TwoHoles() {
   return work;
 }
 
+// A closed hole of four edges a side.
+CellHoles ClosedHole() {
+  const TriMesh mesh = PictureMesh({"######", "#....#", "#....#", "#....#", "#....#", "######"}, Flat);
+  const auto inside = [](const Point3& p) { return p.x() > 0 && p.y() > 0 && p.x() < 6 && p.y() < 6; };
+  return WorkOf(mesh, false, [&](const Point3& a, const Point3& b) { return inside(a) && inside(b); });
+}
+
 // Which holes stay open if the result may have so many points.
 std::vector<bool> LeftOpen(const CellHoles& work, int64_t points) {
   FillOptions options;
@@ -43,7 +51,7 @@ std::vector<bool> LeftOpen(const CellHoles& work, int64_t points) {
   for (const HolePatch& patch : FillHoles(work, options)) {
     left.push_back(!patch.failure.empty());
     if (patch.failure.empty()) continue;
-    EXPECT_THAT(patch.failure, HasSubstr("more than 4 million vertices"));
+    EXPECT_THAT(patch.failure, HasSubstr(std::to_string(points) + " vertices or more"));
     EXPECT_THAT(patch.triangles, IsEmpty());
   }
   return left;
@@ -60,6 +68,42 @@ TEST(FillLimitTest, LeavesAHoleOpenWhosePatchDoesNotFitIntoTheResult) {
   EXPECT_EQ(LeftOpen(work, vertices + first + second), std::vector({false, true}));
   EXPECT_EQ(LeftOpen(work, vertices + first), std::vector({true, true}));
   EXPECT_EQ(LeftOpen(work, 0), std::vector({true, true}));
+}
+
+// Among other ways are those in space, which ask for the surface around the hole.
+TEST(FillLimitTest, TriesNoOtherWayOnceAPatchIsTooLarge) {
+  const CellHoles work = ClosedHole();
+  FillOptions options;
+  options.refine.max_new_points = std::ssize(work.vertices) + 1;
+  int asked = 0;
+  const SurfaceNear near = [&](const Point3&, const Point3&) {
+    ++asked;
+    return std::vector<SpaceTriangle>();
+  };
+  EXPECT_THAT(FillHoles(work, options, near).at(0).failure, HasSubstr("vertices or more"));
+  EXPECT_EQ(asked, 0);
+}
+
+TEST(FillLimitTest, NamesNoCellsInASingleMesh) {
+  FillOptions options;
+  options.refine.max_new_points = 1;
+  EXPECT_THAT(FillHoles(ClosedHole(), options).at(0).failure, HasSubstr("the fill of its cell"));
+  options.is_single_mesh = true;
+  EXPECT_THAT(FillHoles(ClosedHole(), options).at(0).failure, HasSubstr("the fill of the mesh"));
+}
+
+TEST(FillLimitTest, LooksAtTheSizeOfAPatchBeforeAllElse) {
+  PublishedWays ways;
+  ways.by_name = [](const LocalHole&, const FillOptions& options, const SurroundingTriangles&) {
+    LocalPatch far_away;
+    far_away.new_points.assign(options.refine.max_new_points, Point3(1e6, 0, 0));
+    return far_away;
+  };
+  FillOptions options;
+  options.filler = Filler::kMinimumArea;
+  options.published = &ways;
+  options.refine.max_new_points = 1000;
+  EXPECT_THAT(FillHoles(ClosedHole(), options).at(0).failure, HasSubstr("1000 vertices or more"));
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <string>
 
-#include "common/mesh/mesh_limits.h"
 #include "worker/fill/hole/fill_options.h"
 
 namespace tilemend {
@@ -48,9 +47,21 @@ std::string TextOfLength(FillFailure failure, size_t boundary_edges) {
                                                  : has + "edges, more than --longest-rim allows";
 }
 
+std::string TextOfLimit(const FailedHole& hole) {
+  constexpr int64_t kMillion = 1'000'000;
+  const int64_t limit = hole.max_vertices;
+  const std::string vertices =
+      (limit >= kMillion && limit % kMillion == 0 ? std::to_string(limit / kMillion) + " million"
+                                                  : std::to_string(limit)) +
+      " vertices or more";
+  return hole.is_in_scene
+             ? "the fill of its cell would have " + vertices + "; smaller cells or a larger --gradation make it smaller"
+             : "the fill of the mesh would have " + vertices + "; a larger --gradation makes it smaller";
+}
+
 }  // namespace
 
-std::string TextOf(FillFailure failure, size_t boundary_edges) {
+std::string TextOf(FillFailure failure, const FailedHole& hole) {
   switch (failure) {
     case FillFailure::kNone:
     case FillFailure::kNotApplicable:
@@ -66,7 +77,7 @@ std::string TextOf(FillFailure failure, size_t boundary_edges) {
     case FillFailure::kRepeatsEdges:
       return "its patch would need an edge that the surface already has";
     case FillFailure::kTooLongForSpace:
-      return "it projects on no plane without overlap and has " + std::to_string(boundary_edges) +
+      return "it projects on no plane without overlap and has " + std::to_string(hole.boundary_edges) +
              " boundary vertices; at most " + std::to_string(kLongestSpatialLoop) + " can be filled in space";
     case FillFailure::kCrosses:
       return "every patch that was tried passes through itself or the surface around it";
@@ -74,11 +85,10 @@ std::string TextOf(FillFailure failure, size_t boundary_edges) {
       return "the surface around it passes through its boundary and through every patch that was tried; repair the "
              "mesh first";
     case FillFailure::kTooLarge:
-      return "the fill of its cell would have more than " + std::to_string(kMaxResultPoints / 1'000'000) +
-             " million vertices; smaller cells or a larger --gradation make it smaller";
+      return TextOfLimit(hole);
     case FillFailure::kTooLongForArea:
     case FillFailure::kTooLongForFront:
-      return TextOfLength(failure, boundary_edges);
+      return TextOfLength(failure, hole.boundary_edges);
     default:
       return TextOfFault(failure);
   }

@@ -2,7 +2,11 @@
 #ifndef TILEMEND_WORKER_FILL_HOLE_FILL_FAILURE_H_
 #define TILEMEND_WORKER_FILL_HOLE_FILL_FAILURE_H_
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
+
+#include "common/mesh/mesh_limits.h"
 
 namespace tilemend {
 
@@ -34,9 +38,15 @@ enum class FillFailure {
   kTooLarge,
 };
 
+// What the text of a failure tells of the hole and of its fill.
+struct FailedHole {
+  size_t boundary_edges = 0;
+  int64_t max_vertices = kMaxResultPoints;  // the limit of the fill (FillHoles)
+  bool is_in_scene = true;                  // else in a single mesh, which has no cells
+};
+
 // For people.
-//   boundary_edges  of the hole
-std::string TextOf(FillFailure failure, size_t boundary_edges);
+std::string TextOf(FillFailure failure, const FailedHole& hole);
 
 }  // namespace tilemend
 

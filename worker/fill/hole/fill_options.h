@@ -27,7 +27,8 @@ struct FillOptions {
   FillerOptions filling;
   RefineOptions refine;
   const PublishedWays* published = nullptr;  // not null with Surface::kWang or a filler that is named
-  bool allow_creases = false;  // in a mesh that may lie in any way: patches that fold back on the surface beside them
+  bool allow_creases = false;   // in a mesh that may lie in any way: patches that fold back on the surface beside them
+  bool is_single_mesh = false;  // there are no cells that messages could name
 };
 
 // The original triangles of all tiles whose extents meet the box from `lo` to `hi`, at their positions in the tiles.
