@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -390,54 +389,6 @@ TEST(MakePlanTest, LeavesHolesWhoseSeamsWouldHaveTooManyVertices) {
   EXPECT_LT(plan.vertices.size(), 2'000'000U);
   ASSERT_THAT(plan.holes, Not(IsEmpty()));
   for (const PlannedHole& hole : plan.holes) EXPECT_THAT(hole.failure, HasSubstr("too fine for cells of this size"));
-}
-
-TEST(MakePlanTest, IsEmptyOnceItIsCancelled) {
-  const SurveyedScene scene = PictureScene({"####", "#..#", "#..#", "####"}, 2);
-  for (int last = 0; last < 12; ++last) {
-    PlanOptions options;
-    int asked = 0;
-    options.is_cancelled = [&] { return asked++ >= last; };
-    const bool is_empty = MakePlan(scene.Input(), options).holes.empty();
-    EXPECT_EQ(is_empty, asked > last) << last;
-  }
-}
-
-// A hole may have a million rim vertices: each of them is an occasion to end.
-TEST(MakePlanTest, IsEmptyWheneverItIsCancelledAlongARim) {
-  const SurveyedScene scene = PictureScene({"########", "#......#", "#......#", "########"}, 4);
-  int asked = 0, last = std::numeric_limits<int>::max();
-  PlanOptions options;
-  options.is_cancelled = [&] { return asked++ >= last; };
-  const Plan plan = MakePlan(scene.Input(), options);
-  int64_t segments = 0;
-  for (const PlannedHole& hole : plan.holes) segments += std::ssize(hole.segments);
-  EXPECT_GE(segments, 20);
-  EXPECT_GT(asked, segments);
-  for (last = asked - 1; last >= 0; last -= 3) {
-    asked = 0;
-    EXPECT_TRUE(MakePlan(scene.Input(), options).holes.empty()) << last;
-    EXPECT_LE(asked, last + 100) << last;
-  }
-}
-
-// A file of polygons may be long: each of them is an occasion to end.
-TEST(MakePlanTest, IsEmptyIfItIsCancelledWhileItLooksAtPolygons) {
-  const SurveyedScene scene = PictureScene({"####", "#..#", "#..#", "####"}, 2);
-  int asked = 0, last = std::numeric_limits<int>::max();
-  const auto count = [&](size_t polygons) {
-    PlanOptions options;
-    options.water.areas.assign(polygons, {true, {{{{-1e6, -1e6}, {1e6, -1e6}, {1e6, 1e6}, {-1e6, 1e6}}}}});
-    options.is_cancelled = [&] { return asked++ >= last; };
-    asked = 0;
-    return MakePlan(scene.Input(), options).holes.size();
-  };
-  ASSERT_GT(count(1), 0U);
-  const int with_one = asked;
-  ASSERT_GT(count(50), 0U);
-  const int with_all = asked;
-  EXPECT_GE(with_all, with_one + 3 * 49) << "FindWater, which areas cover a hole, what became of each";
-  for (last = with_one; last < with_all; last += 9) EXPECT_EQ(count(50), 0U) << last;
 }
 
 }  // namespace
