@@ -41,7 +41,8 @@ bool IsCrack(std::span<const RimSegment> loop, const std::vector<Point3>& positi
   });
 }
 
-// Every vertex within the threshold of some edge that it is no end of. Cost: O(n log n).
+// Every vertex within the threshold of some edge that it is no end of. Cost: O(n log n) where few boxes of edges
+// overlap.
 bool IsDislocation(std::span<const RimSegment> loop, const std::vector<Point3>& position) {
   const auto is_near = [&](const RimSegment& v, const RimSegment& s) {
     return s.from != v.from && s.to != v.from &&

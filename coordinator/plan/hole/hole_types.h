@@ -11,7 +11,8 @@
 
 namespace tilemend {
 
-// Zhang 2022, 4.1, for a closed hole: the outer loop and its islands' outlines. `position` is by vertex.
+// Zhang 2022, 4.1, for a closed hole: the outer loop and its islands' outlines. `position` is by vertex. Precondition:
+// no loop is empty.
 SingleType ClassifySingle(std::span<const RimSegment> outer, const std::vector<std::vector<RimSegment>>& islands,
                           const std::vector<Point3>& position);
 

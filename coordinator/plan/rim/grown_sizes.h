@@ -24,7 +24,7 @@ class GrownSizes {
   explicit GrownSizes(std::vector<Point> points);
 
   // The minimum over the points v of size(v) + growth * |p - v|, at most `limit`, bit for bit as a search over all
-  // points has it. Precondition: growth is not negative. Cost: O(log n) for points along a curve.
+  // points has it. Precondition: growth is not negative. Cost: usually O(log n) for points along a curve.
   double At(const Point2& p, double growth, double limit) const;
 
  private:

@@ -35,9 +35,8 @@ std::vector<Point2> SpacedBetween(const SeamSite& site, const Point2& from, cons
 // The places strictly between two ends of a stretch of a border's line, in order along it. They are spaced by the
 // wanted edge length and clear of the rim. At the rim of the area a seam must keep to the line. There each rim point
 // that lies within kOnLine of the line, but not on it, also has a place opposite. A straight edge there would be the
-// base of upright hairline triangles. None if there would be more than `most` edges, or once the
-// plan is cancelled. Cost in proportion to the places
-// and the edges near them.
+// base of upright hairline triangles. None if there would be more than `most` edges, or once the plan is cancelled.
+// Cost in proportion to the places and the edges near them.
 std::optional<std::vector<SeamPlace>> PlaceSeamVertices(const SeamSite& site, const Border& border, const Point2& from,
                                                         const Point2& to, int64_t most = kMostSeamEdges);
 

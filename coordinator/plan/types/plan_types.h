@@ -49,8 +49,8 @@ struct PlanOptions {
   MeshHoleOptions mesh;
   std::optional<Rgb> water_colour = {};          // of the faces; none: as the rim has it
   SeamPoints seam_points = SeamPoints::kSpaced;  // of seams between cells of the area
-  // Asked at least at every border, seam vertex, cell and rim segment; once true the plan ends soon and is empty. None:
-  // never.
+  // Asked at borders, seam vertices, cells, areas of water, and segments that a triangulation takes in. It is not asked
+  // while the rim is gathered and its boundaries are sorted. Once true the plan ends soon and is empty. None: never.
   std::function<bool()> is_cancelled = {};
   bool cancelled() const { return is_cancelled && is_cancelled(); }
 };
