@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <cstring>
 #include <iterator>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "common/mesh/tri_mesh.h"
 #include "common/mesh/triangle_shape.h"
@@ -28,7 +30,10 @@ class RowIterator {
   RowIterator() = default;
   RowIterator(const Rows& rows, size_t row) : rows_(rows), row_(row) {}
   value_type operator*() const { return rows_[row_]; }
-  RowIterator& operator++() { return ++row_, *this; }
+  RowIterator& operator++() {
+    ++row_;
+    return *this;
+  }
   RowIterator operator++(int) { return {rows_, row_++}; }
   bool operator==(const RowIterator& other) const { return row_ == other.row_; }
 
@@ -58,6 +63,11 @@ class PointRows {
     std::memcpy(point.data(), data_ + row * sizeof(point), sizeof(point));
     return point;
   }
+  // The rows where they lie, if their numbers are of float64.
+  std::optional<std::span<const Point3>> AsSpan() const {
+    if (is_float32_) return std::nullopt;
+    return std::span(reinterpret_cast<const Point3*>(data_), count_);
+  }
   size_t size() const { return count_; }
   bool is_float32() const { return is_float32_; }
   const void* data() const { return data_; }
@@ -85,7 +95,7 @@ class TriangleRows {
   template <std::integral Index>
   explicit TriangleRows(std::span<const Index> indices)
       : TriangleRows(indices.data(), indices.size() / 3, sizeof(Index) == 8) {
-    static_assert(sizeof(Index) == 4 || sizeof(Index) == 8);
+    static_assert(sizeof(Index) == 4 || sizeof(Index) == 8, "indices have 32 or 64 bits");
   }
 
   Triangle operator[](size_t row) const {
@@ -98,13 +108,26 @@ class TriangleRows {
     for (size_t k = 0; k < 3; ++k) std::memcpy(&triangle[k], data_ + (3 * row + k) * sizeof(int64_t), sizeof(int32_t));
     return triangle;
   }
+  // All rows, in memory of their exact size.
+  std::vector<Triangle> Copy() const {
+    if (const auto plain = AsSpan()) return {plain->begin(), plain->end()};
+    std::vector<Triangle> copy;
+    copy.reserve(count_);
+    for (const Triangle& t : *this) copy.push_back(t);
+    return copy;
+  }
+  // The rows where they lie, if their indices have 32 bits.
+  std::optional<std::span<const Triangle>> AsSpan() const {
+    if (is_wide_) return std::nullopt;
+    return std::span(reinterpret_cast<const Triangle*>(data_), count_);
+  }
   size_t size() const { return count_; }
   const void* data() const { return data_; }
   RowIterator<TriangleRows> begin() const { return {*this, 0}; }
   RowIterator<TriangleRows> end() const { return {*this, count_}; }
 
  private:
-  static_assert(std::endian::native == std::endian::little);
+  static_assert(std::endian::native == std::endian::little, "the lower half of an index comes first");
 
   TriangleRows(const void* data, size_t count, bool is_wide)
       : data_(static_cast<const std::byte*>(data)), count_(count), is_wide_(is_wide) {}

@@ -34,7 +34,7 @@ bool IsFlat(const SpaceTriangle& t) {
 }  // namespace
 
 WeldingMesh::WeldingMesh(const MeshView& mesh, std::span<const int32_t> boundary, std::span<const int32_t> face_of)
-    : mesh_(mesh), face_of_(face_of), triangles_(mesh.triangles.begin(), mesh.triangles.end()) {
+    : mesh_(mesh), face_of_(face_of), triangles_(mesh.triangles.Copy()) {
   PositionIndex index;
   for (size_t v = 0; v < mesh.points.size(); ++v) {
     place_of_.push_back(index.Insert(mesh.points[v]));

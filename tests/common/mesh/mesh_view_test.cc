@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace tilemend {
@@ -44,6 +45,29 @@ TEST(MeshViewTest, ReadsIndicesOfAnyWidth) {
   EXPECT_THAT(ReadAs<uint32_t>(), expected);
   EXPECT_THAT(ReadAs<int64_t>(), expected);
   EXPECT_THAT(ReadAs<uint64_t>(), expected);
+}
+
+TEST(MeshViewTest, CopiesOfTrianglesHaveTheirExactSize) {
+  std::vector<int64_t> indices;
+  for (int64_t i = 0; i < 3 * 1000; ++i) indices.push_back(i % 4);
+  const TriangleRows wide{std::span(std::as_const(indices))};
+  const std::vector<Triangle> copy = wide.Copy();
+  EXPECT_EQ(copy.capacity(), 1000);
+  EXPECT_EQ(copy, std::vector<Triangle>(wide.begin(), wide.end()));
+  EXPECT_EQ(MeshView(kMesh).triangles.Copy(), kMesh.triangles);
+  EXPECT_TRUE(TriangleRows().Copy().empty());
+}
+
+TEST(MeshViewTest, RowsOfTheTypesOfAMeshAreSpans) {
+  const MeshView view = kMesh;
+  EXPECT_EQ(view.points.AsSpan()->data(), kMesh.points.data());
+  EXPECT_EQ(view.points.AsSpan()->size(), kMesh.points.size());
+  EXPECT_EQ(view.triangles.AsSpan()->data(), kMesh.triangles.data());
+  EXPECT_EQ(view.triangles.AsSpan()->size(), kMesh.triangles.size());
+  const std::vector<float> narrow(3);
+  const std::vector<int64_t> wide(3);
+  EXPECT_FALSE(PointRows{std::span(narrow)}.AsSpan().has_value());
+  EXPECT_FALSE(TriangleRows{std::span(wide)}.AsSpan().has_value());
 }
 
 TEST(MeshViewTest, NothingHasNoRows) {
