@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/mesh/mesh_view.h"
+#include "common/mesh/tri_mesh.h"
 
 namespace tilemend {
 
@@ -26,6 +27,7 @@ class WeldingMesh {
 
   // `boundary` are the vertices that may be merged, one for each position. The mesh outlives this. O(n).
   WeldingMesh(const MeshView& mesh, std::span<const int32_t> boundary, std::span<const int32_t> face_of);
+  WeldingMesh(const TriMesh&& mesh, std::span<const int32_t> boundary, std::span<const int32_t> face_of) = delete;
 
   // The places of the boundary vertices, in their order.
   const std::vector<int32_t>& boundary() const { return boundary_; }

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <span>
+#include <type_traits>
 #include <vector>
 
 #include "tests/support/mesh_builders.h"
@@ -21,6 +23,10 @@ TriMesh TwoTriangles() {
   mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
   return mesh;
 }
+
+using Span = std::span<const int32_t>;
+static_assert(std::is_constructible_v<WeldingMesh, const TriMesh&, Span, Span>);
+static_assert(!std::is_constructible_v<WeldingMesh, TriMesh, Span, Span>, "it would view what is gone");
 
 const std::vector<int32_t> kAll = {0, 1, 2, 3, 4, 5};
 

@@ -9,6 +9,7 @@ namespace tilemend {
 namespace {
 
 constexpr double kTrianglesPerBin = 16;
+constexpr double kMostBins = 4;  // of a triangle, in the mean
 
 Eigen::AlignedBox3d BoxOf(const MeshView& mesh, const Triangle& t) {
   Eigen::AlignedBox3d box(mesh.points[t[0]]);
@@ -19,11 +20,20 @@ Eigen::AlignedBox3d BoxOf(const MeshView& mesh, const Triangle& t) {
 
 Eigen::AlignedBox2d SeenFromAbove(const Eigen::AlignedBox3d& box) { return {box.min().head<2>(), box.max().head<2>()}; }
 
-// Of the larger side of the triangles' boxes seen from above, in the mean.
-double MeanWidth(const MeshView& mesh) {
-  double sum = 0;
-  for (const Triangle& t : mesh.triangles) sum += BoxOf(mesh, t).sizes().head<2>().maxCoeff();
-  return sum / std::max(1.0, static_cast<double>(mesh.triangles.size()));
+// The step at which a triangle is in kMostBins bins in the mean. One whose box is w wide and h high, seen from above,
+// is in (w / step + 1) (h / step + 1) of them on average over its places.
+double LeastStep(const MeshView& mesh) {
+  if (mesh.triangles.size() == 0) return 0;
+  double area = 0, sides = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Point3 size = BoxOf(mesh, t).sizes();
+    area += size.x() * size.y();
+    sides += size.x() + size.y();
+  }
+  // Of the means: area / step^2 + sides / step + 1 = kMostBins.
+  const auto count = static_cast<double>(mesh.triangles.size());
+  const double half = sides / count / (2 * (kMostBins - 1));
+  return half + std::sqrt(half * half + area / count / (kMostBins - 1));
 }
 
 BinGrid BinsOf(const MeshView& mesh) {
@@ -32,10 +42,9 @@ BinGrid BinsOf(const MeshView& mesh) {
   if (all.isEmpty()) all.extend(Point3(0, 0, 0));
   const Point3 size = all.sizes();
   const double bins = std::max(1.0, static_cast<double>(mesh.triangles.size()) / kTrianglesPerBin);
-  // A wall has no area seen from above: no more bins along it than there are to be. Nor are bins smaller than most
-  // triangles, each of which would be in many.
+  // A wall has no area seen from above: no more bins along it than there are to be.
   const double step =
-      std::max({std::sqrt(size.x() * size.y() / bins), size.x() / bins, size.y() / bins, MeanWidth(mesh)});
+      std::max({std::sqrt(size.x() * size.y() / bins), size.x() / bins, size.y() / bins, LeastStep(mesh)});
   return BinGrid(SeenFromAbove(all), step > 0 ? step : 1, static_cast<int32_t>(mesh.triangles.size()),
                  [&](int32_t t) { return SeenFromAbove(BoxOf(mesh, mesh.triangles[t])); });
 }

@@ -6,18 +6,21 @@
 
 #include "common/mesh/bin_grid.h"
 #include "common/mesh/mesh_view.h"
+#include "common/mesh/tri_mesh.h"
 #include "worker/fill/space/patch_crossings.h"
 
 namespace tilemend {
 
-// Finds the triangles of a mesh near a place: in bins over the plane, some 16 to a bin. Building it is linear; memory
-// is about 8 bytes a triangle, and nothing of the mesh is copied.
+// Finds the triangles of a mesh near a place, in bins over the plane. A bin has 16 triangles in the mean, or more: a
+// triangle is in at most 4 bins in the mean. Building is linear. Memory is 4 bytes for each bin that a triangle is in,
+// so at most some 16 bytes a triangle. Nothing of the mesh is copied.
 class SurfaceIndex {
  public:
   explicit SurfaceIndex(const MeshView& mesh);  // what it views outlives the index
+  explicit SurfaceIndex(const TriMesh&& mesh) = delete;
 
   // Appends the triangles whose extents meet the box from lo to hi, each once. Their order depends on the mesh and the
-  // box alone. Cost: the triangles over the box's shadow.
+  // box alone. Cost: linear in the triangles of the bins that the box meets seen from above, at any height.
   void AppendNear(const Point3& lo, const Point3& hi, std::vector<SpaceTriangle>& found) const;
 
  private:

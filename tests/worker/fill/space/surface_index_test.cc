@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <type_traits>
 #include <vector>
 
 #include "tests/support/space_meshes.h"
@@ -13,6 +14,9 @@ namespace {
 
 using ::testing::IsEmpty;
 using ::testing::UnorderedElementsAreArray;
+
+static_assert(std::is_constructible_v<SurfaceIndex, const TriMesh&>);
+static_assert(!std::is_constructible_v<SurfaceIndex, TriMesh>, "it would view what is gone");
 
 std::vector<SpaceTriangle> Near(const SurfaceIndex& index, const Point3& lo, const Point3& hi) {
   std::vector<SpaceTriangle> found;
@@ -47,7 +51,24 @@ TEST(SurfaceIndexTest, TakesAWallAndNothing) {
   TriMesh wall = SquaresMesh(0, 6, 0, 4, [](int32_t, int32_t) { return true; });
   for (Point3& p : wall.points) p = {2, p.x(), p.y()};
   EXPECT_EQ(Near(SurfaceIndex(wall), {1, 0.1, 0.1}, {3, 0.4, 0.4}).size(), 2u);
-  EXPECT_THAT(Near(SurfaceIndex(TriMesh()), {0, 0, 0}, {9, 9, 9}), IsEmpty());
+  const TriMesh nothing;
+  EXPECT_THAT(Near(SurfaceIndex(nothing), {0, 0, 0}, {9, 9, 9}), IsEmpty());
+}
+
+// Each is in many bins; beside them is a surface of small triangles.
+TEST(SurfaceIndexTest, TakesLongThinTriangles) {
+  TriMesh mesh = SquaresMesh(0, 20, 0, 20, [](int32_t, int32_t) { return true; });
+  for (int32_t k = 0; k < 900; ++k) {
+    const auto first = static_cast<int32_t>(mesh.points.size());
+    const double y = 0.02 * k;
+    mesh.points.insert(mesh.points.end(), {{-40, y, 1}, {60, y, 1}, {60, y + 0.01, 1}});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  const SurfaceIndex index(mesh);
+  for (int k = 0; k < 40; ++k) {
+    const Point3 lo(11.0 * (k % 9) - 41, k % 19, k % 2), hi = lo + Point3(k % 5, 0.1 * k, 0.5);
+    EXPECT_THAT(Near(index, lo, hi), UnorderedElementsAreArray(LookedThrough(mesh, lo, hi))) << k;
+  }
 }
 
 }  // namespace
