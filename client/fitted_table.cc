@@ -115,9 +115,9 @@ std::string TableWithTexts(std::vector<std::string> headings, Rows rows, size_t 
     }
   }
   const std::string narrow = Table(headings, rows);
-  const std::vector<std::string> lines = absl::StrSplit(narrow, '\n', absl::SkipEmpty());
+  const std::vector<std::string> lines = absl::StrSplit(narrow, '\n');  // the piece behind the last line is empty
   std::string text;
-  for (size_t i = 0; i < lines.size(); ++i) absl::StrAppend(&text, lines[i], "\n", Indented(texts[i], columns));
+  for (size_t i = 0; i < texts.size(); ++i) absl::StrAppend(&text, lines[i], "\n", Indented(texts[i], columns));
   return text;
 }
 

@@ -20,8 +20,8 @@ struct FittedColumn {
 std::string FittedTable(std::vector<FittedColumn> table, std::vector<std::vector<std::string>> rows, size_t columns);
 
 // As Table, of rows that end with a text. With `columns` > 0, the texts stand below their rows if a line would be
-// longer than that. They are broken between words then. If that is not enough, so do the columns before the last, one
-// by one.
+// longer than that. They are broken between words then. If lines are still too long, more columns move below, one at a
+// time from the last.
 std::string TableWithTexts(std::vector<std::string> headings, std::vector<std::vector<std::string>> rows,
                            size_t columns);
 

@@ -43,7 +43,7 @@ std::vector<std::string> Row(const Json& body) {
           RisesOf(body)};
 }
 
-// Rises first go where there is no room, if there are none.
+// If no row has rises, their column is the first that a narrow terminal leaves out.
 std::vector<FittedColumn> ColumnsFor(const std::vector<std::vector<std::string>>& rows) {
   const bool has_rises = std::ranges::any_of(rows, [](const auto& row) { return !row.back().empty(); });
   return {{"water"},           {"level, m"},   {"area, m2"},

@@ -98,6 +98,19 @@ TEST(TableWithTextsTest, AsManyColumnsStandBelowAsNeeded) {
             "      no rim\n");
 }
 
+TEST(TableWithTextsTest, TextsStandBelowTheirRowsIfOneHasNothingElse) {
+  EXPECT_EQ(TableWithTexts({"hole", "because"}, {{"7", "level"}, {"", "its rim is open"}, {"8", "no rim"}}, 16),
+            "hole\n"
+            "      because\n"
+            "   7\n"
+            "      level\n"
+            "\n"
+            "      its rim is\n"
+            "      open\n"
+            "   8\n"
+            "      no rim\n");
+}
+
 TEST(TableWithTextsTest, WhatIsBrokenIsPrintable) {
   EXPECT_EQ(TableWithTexts({"a", "b"}, {{"x", "one\ntwo three"}}, 16),
             "a\n      b\nx\n      one\\x0atwo\n      three\n");
