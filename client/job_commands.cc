@@ -79,8 +79,9 @@ absl::StatusOr<Session> OpenSession(const Args& args, bool watches, bool waits_f
 int PrintJob(const absl::StatusOr<v1::Job>& job, OutputFormat format) {
   if (!job.ok()) return PrintError(job.status());
   std::fputs(JobText(*job, format).c_str(), stdout);
-  if (format == OutputFormat::kTable)
+  if (format == OutputFormat::kTable) {
     std::fputs(ClusterEndText(*job, ColumnsOfTerminal(STDOUT_FILENO)).c_str(), stdout);
+  }
   return kExitDone;
 }
 

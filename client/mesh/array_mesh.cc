@@ -97,11 +97,14 @@ absl::StatusOr<std::vector<int64_t>> ArrayMesh::Clear(std::span<const ClearArea>
 }
 
 absl::Status ArrayMesh::Append(const FilePatch& patch) {
+  const MeshView view = View();
+  const size_t vertices = view.points.size() + new_points_.size() + patch.new_points.size();
+  const size_t faces = view.triangles.size() + new_triangles_.size() + patch.triangles.size();
+  TILEMEND_RETURN_IF_ERROR(CheckRows("vertices, with new ones", vertices));
+  TILEMEND_RETURN_IF_ERROR(CheckRows("faces, with new ones", faces));
   new_points_.insert(new_points_.end(), patch.new_points.begin(), patch.new_points.end());
   new_triangles_.insert(new_triangles_.end(), patch.triangles.begin(), patch.triangles.end());
-  const MeshView view = View();
-  TILEMEND_RETURN_IF_ERROR(CheckRows("vertices, with new ones", view.points.size() + new_points_.size()));
-  return CheckRows("faces, with new ones", view.triangles.size() + new_triangles_.size());
+  return absl::OkStatus();
 }
 
 FilledArrays ArrayMesh::Filled() const {

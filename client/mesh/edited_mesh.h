@@ -26,14 +26,14 @@ struct HeldMesh {
 };
 
 // Each edit keeps the numbers of vertices; triangles are numbered anew by Clear. Errors name the mesh and the place.
-// Not safe from several threads.
+// Precondition of all functions but name and Append: nothing was appended. Not safe from several threads.
 class EditedMesh {
  public:
   virtual ~EditedMesh() = default;
 
   // Stands in messages: a path, or what the caller calls the mesh.
   virtual const std::string& name() const = 0;
-  // The mesh as it is now. Cost: that of parsing it, if it is a file. Precondition: nothing was appended.
+  // The mesh as it is now. Cost: that of parsing it, if it is a file.
   virtual absl::StatusOr<HeldMesh> Mesh() const = 0;
   // Boundary edges, colours along them, and files that the mesh names.
   virtual absl::StatusOr<LookSurvey> Survey(NoFaces no_faces) const = 0;
@@ -41,7 +41,8 @@ class EditedMesh {
   virtual absl::StatusOr<WeldRecord> Weld(double tolerance) = 0;
   // Takes out the triangles that AreasThatClear names, and returns how many by each area.
   virtual absl::StatusOr<std::vector<int64_t>> Clear(std::span<const ClearArea> areas) = 0;
-  // Adds vertices and triangles behind those that are there. Coordinates are rounded to the mesh's number type.
+  // Adds vertices and triangles behind those that are there. Coordinates are rounded to the mesh's number type. After
+  // an error the mesh is as it was.
   virtual absl::Status Append(const FilePatch& patch) = 0;
 };
 

@@ -13,7 +13,7 @@ namespace tilemend {
 struct LookedMesh {
   TriMesh mesh;
   // Of each triangle: a digest of all that it has beside the positions of its corners (material, texture coordinates,
-  // colours and further properties). Empty: only positions are compared.
+  // colours and further properties). Empty: the looks are not known.
   std::vector<uint64_t> looks;
 };
 
@@ -25,7 +25,8 @@ struct TileChange {
 
 // Two triangles are the same if the positions of their corners are the same to the bit, in the same order, and their
 // looks are. A triangle that is there twice must be there twice again. Pure. O(n) where the triangles that stay keep
-// their order, else O(n log n).
+// their order, else O(n log n). Precondition: the looks of both are known, or those of neither. Without looks only the
+// positions are compared.
 TileChange CompareTiles(const LookedMesh& before, const LookedMesh& after);
 
 }  // namespace tilemend

@@ -48,6 +48,18 @@ TEST(TileChangeTest, ATriangleThatIsGoneIsNamed) {
   EXPECT_THAT(CompareTiles(before, after).missing, ElementsAre(3));
 }
 
+TEST(TileChangeTest, WithoutLooksOnlyPositionsAreCompared) {
+  LookedMesh before = Squares(), after = before;
+  after.mesh.triangles.erase(after.mesh.triangles.begin() + 3);
+  after.mesh.triangles.push_back({0, 1, 2});
+  before.looks.clear();
+  after.looks.clear();
+  const TileChange change = CompareTiles(before, after);
+  EXPECT_THAT(change.missing, ElementsAre(3));
+  EXPECT_EQ(change.added_count, 1);
+  EXPECT_TRUE(change.added.back());
+}
+
 TEST(TileChangeTest, OneBitOfACoordinateOrOfTheLookIsAChange) {
   const LookedMesh before = Squares();
   LookedMesh moved = before;
