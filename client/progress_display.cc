@@ -37,9 +37,11 @@ std::string TimesText(const v1::Job& job, double share, absl::Time now) {
   constexpr double kLeastShare = 0.05;
   const absl::Time end = job.has_end_time() ? TimeOf(job.end_time()) : now;
   const absl::Duration elapsed = end - TimeOf(job.create_time());
+  // Without the time in the queue.
+  const absl::Duration at_work = end - TimeOf(job.has_start_time() ? job.start_time() : job.create_time());
   std::string text = ", " + DurationText(elapsed);
   if (job.has_end_time() || share <= kLeastShare) return text;
-  return absl::StrCat(text, ", ", DurationText(elapsed * ((1 - share) / share)), " left");
+  return absl::StrCat(text, ", ", DurationText(at_work * ((1 - share) / share)), " left");
 }
 
 std::string ProgressText(const v1::Job& job, double share, absl::Time now) {

@@ -34,6 +34,8 @@ TEST(TimesTextTest, GuessesTheRestOfAJobThatRuns) {
   const absl::Time now = absl::FromUnixSeconds(1088);
   EXPECT_EQ(TimesText(job, 0.01, now), ", 1 min 28 s");
   EXPECT_EQ(TimesText(job, 0.5, now), ", 1 min 28 s, 1 min 28 s left");
+  job.mutable_start_time()->set_seconds(1078);  // no task was done in the queue before
+  EXPECT_EQ(TimesText(job, 0.5, now), ", 1 min 28 s, 10 s left");
   job.mutable_end_time()->set_seconds(1064);
   EXPECT_EQ(TimesText(job, 1, now), ", 1 min 04 s");
 }

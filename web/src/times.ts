@@ -15,7 +15,7 @@ export function durationText(exact: number): string {
 
 const MOST_TASKS_OUT = 8192; // kMostTasksOut of coordinator/jobs/job_pipeline.h
 
-// As ShareDone in coordinator/jobs/cluster_events.cc: 0 to 1. Tasks of later stages are not among `tasks` yet.
+// As ShareDone in coordinator/jobs/cluster_events.cc, by one table of tests: 0 to 1. Tasks of later stages are not among `tasks` yet.
 export function shareDone({ progress }: Job): number {
   const cells = Number(progress.cells), tasks = Number(progress.tasks), done = Number(progress.tasksDone);
   if (cells === 0) return 0;
@@ -32,7 +32,7 @@ interface Sample { time: number; share: number; tasks: number; cells: number }
 const WINDOW = 60_000, LEAST_WINDOW = 10_000; // milliseconds
 const LEAST_SHARE = 0.05; // as TimesText in client/progress_display.cc: too little to guess by
 
-// Over the last minute that was seen, else since the job was made.
+// Over the last minute that was seen, else since the first task was given to a worker.
 export class Rates {
   private readonly seen = new Map<string, Sample[]>();
 
@@ -46,7 +46,7 @@ export class Rates {
   // "3.2 tasks/s, 1 min 10 s left"; cells in place of tasks once they are written; "" while nothing is done.
   textOf(job: Job, now: number): string {
     const last = { time: now, share: shareDone(job), tasks: Number(job.progress.tasksDone), cells: Number(job.progress.cellsDone) };
-    const begin = { time: Date.parse(job.createTime), share: 0, tasks: 0, cells: 0 };
+    const begin = { time: Date.parse(job.startTime ?? job.createTime), share: 0, tasks: 0, cells: 0 };
     const seen = this.seen.get(job.name)?.[0];
     const first = seen && last.time - seen.time > LEAST_WINDOW && last.share > seen.share ? seen : begin;
     const seconds = Math.max(0.001, (last.time - first.time) / 1000);

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -171,6 +174,24 @@ TEST(ShareDoneTest, CountsTasksThatAreHeldBack) {
   EXPECT_EQ(ShareDone("assemble", kCells, 50'000, 150'000 + kOut, 150'000), .75);
   EXPECT_EQ(ShareDone("assemble", kCells, kCells - 500, 200'000, 199'500), 199'500 / 200'000.0) << "all are out";
   EXPECT_EQ(ShareDone(kVerifyPhase, 10, 10, 32, 31), 31 / 32.0);
+}
+
+// The page of the coordinator is held to the same table (tests/web/times_test.mjs).
+TEST(ShareDoneTest, IsWhatThePageTells) {
+  std::ifstream table(SHARE_TABLE);
+  int rows = 0;
+  for (std::string line; std::getline(table, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    std::istringstream row(line);
+    std::string phase;
+    int64_t cells = 0, cells_done = 0, tasks = 0, tasks_done = 0;
+    double done = 0, of = 0;
+    char slash = 0;
+    ASSERT_TRUE(row >> phase >> cells >> cells_done >> tasks >> tasks_done >> done >> slash >> of) << line;
+    EXPECT_EQ(ShareDone(phase, cells, cells_done, tasks, tasks_done), done / of) << line;
+    ++rows;
+  }
+  EXPECT_GT(rows, 10);
 }
 
 }  // namespace
