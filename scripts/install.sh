@@ -6,6 +6,7 @@
 #   install.sh --coverage    the tools that measure coverage as well
 #   install.sh --package     the tools that make the Debian package as well
 #   install.sh --python      what the Python package needs as well
+#   install.sh --check       prints those that are missing, and installs none
 #
 # Several may be given.
 set -euo pipefail
@@ -24,6 +25,10 @@ fi
 have=$(dpkg-query -W -f '${db:Status-Abbrev}|${Package}\n' 2>/dev/null | sed -n 's/^ii *|//p' | sort -u)
 missing=$(comm -23 <(sort -u <<<"$wanted") <(echo "$have"))
 [[ -z "$missing" ]] && exit 0
+if [[ " $* " == *" --check "* ]]; then
+  echo "$missing"
+  exit 0
+fi
 
 as_root=()
 if [[ $(id -u) -ne 0 ]]; then

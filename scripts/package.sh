@@ -43,6 +43,6 @@ wheel=$folder/$(sed -n 's/^Successfully built //p' "$wheel_log")
 
 echo
 echo "Package:  $package"
-echo "Install:  sudo apt-get install $package"
-echo "Python:   sudo apt-get install $python_package"
-echo "Wheel:    pip install $wheel"
+printf 'Install:  sudo apt-get install %q\n' "$package"
+printf 'Python:   sudo apt-get install %q\n' "$python_package"
+printf 'Wheel:    pip install %q\n' "$wheel"

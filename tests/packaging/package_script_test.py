@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Runs scripts/package.sh and looks into what it made: package_script_test.py ROOT BUILD
 
-BUILD: the build tree of the tests. The script builds in trees of its own, so it is quick only if BUILD is the one of the
-preset release, and the tree of the preset python is there. Else, and without the tools that pack, the exit code is 77
-(skipped, and says so).
+BUILD: the build tree of the tests. The script builds in trees of its own, so it is quick only if BUILD is the one of
+the preset release, and the tree of the preset python is there. Else the exit code is 77 (skipped, and says so). So it
+is if a package is missing that the script would install: a test installs nothing.
 """
 import importlib.util
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -19,7 +20,8 @@ TOOLS = 'cpack', 'dpkg-shlibdeps', 'dpkg-deb', 'strip'
 MODULES = 'build', 'setuptools', 'wheel'
 
 # What a user's first hour needs.
-PROGRAMS = ['usr/bin/tilemend', 'usr/bin/tilemend-coordinator', 'usr/bin/tilemend-worker', 'usr/lib/tilemend/tilemend-gdal',
+PROGRAMS = ['usr/bin/tilemend', 'usr/bin/tilemend-coordinator', 'usr/bin/tilemend-worker',
+            'usr/lib/tilemend/tilemend-gdal',
             'usr/lib/systemd/system/tilemend-coordinator.service', 'usr/lib/systemd/system/tilemend-worker.service',
             'usr/share/bash-completion/completions/tilemend', 'usr/share/man/man1/tilemend.1.gz',
             *(f'usr/share/doc/tilemend/{name}' for name in (
@@ -61,11 +63,15 @@ def main():
     missing += [name for name in MODULES if importlib.util.find_spec(name) is None]
     if missing:
         skip(f'there is no {", ".join(missing)}')
+    listed = subprocess.run([os.path.join(ROOT, 'scripts', 'install.sh'), '--check', '--package', '--python'],
+                            stdout=subprocess.PIPE, text=True, check=True)
+    if listed.stdout:
+        skip(f'these Debian packages are not installed: {", ".join(listed.stdout.split())}')
     with tempfile.TemporaryDirectory(prefix='tilemend-packages-') as folder:
         done = subprocess.run([os.path.join(ROOT, 'scripts', 'package.sh'), folder], text=True, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT)
         expect(done.returncode == 0, f'package.sh ends with {done.returncode}: {done.stdout}')
-        named = re.findall(r'^(?:Install|Python|Wheel): +.* (/\S+)$', done.stdout, re.M)
+        named = [shlex.split(line)[-1] for line in re.findall(r'^(?:Install|Python|Wheel): +(.+)$', done.stdout, re.M)]
         expect(len(named) == 3 and sorted(named) == sorted(os.path.join(folder, name) for name in os.listdir(folder)),
                f'package.sh names {named} and makes {os.listdir(folder)}: {done.stdout}')
         for package, wanted in zip(named, (PROGRAMS, PYTHON, MODULE)):
