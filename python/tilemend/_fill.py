@@ -1,7 +1,9 @@
 """Filling of one mesh in this process."""
 from __future__ import annotations
 
+import ctypes
 import json
+import mmap
 import os
 from typing import Any, Dict, List, Optional
 
@@ -30,6 +32,7 @@ def fill(vertices: Rows, faces: Rows, *, progress: Optional[FillProgress] = None
     Args:
         vertices: (n, 3) float32 or float64, finite, at most 1e9 in size. Metres for terrain, else any unit. Integers
             and other sequences become float64. Arrays in C order are read where they lie, and are read-only meanwhile.
+            Mapped files are copied.
         faces: (m, 3) integers, indices of vertices, counter-clockwise seen from outside. As `vertices`: those of 32 and
             64 bits are not copied.
         progress: called as progress(step, holes_done, holes) in this thread, at most 20 times a second. An exception
@@ -83,8 +86,16 @@ def _faces(given: ArrayLike) -> NDArray[Any]:
 def _packed(given: NDArray[Any], dtype: np.dtype[Any]) -> NDArray[Any]:
     """The array itself, if it can be read where it lies."""
     if given.dtype == dtype and given.flags.c_contiguous and given.flags.aligned:
-        return given
+        return np.array(given) if _is_mapped(given) else given
     return np.require(given, dtype, ('C', 'ALIGNED'))
+
+
+def _is_mapped(array: NDArray[Any]) -> bool:
+    """Whether the memory is that of a mapped file, or is shared with other processes, which could write to it."""
+    base: Any = array
+    while isinstance(base, (np.ndarray, memoryview)):
+        base = base.base if isinstance(base, np.ndarray) else base.obj
+    return isinstance(base, (mmap.mmap, ctypes.Array))
 
 
 def _array(name: str, given: ArrayLike, dtype: Any) -> NDArray[Any]:

@@ -6,6 +6,7 @@ import sys
 import tempfile
 import threading
 import unittest
+from multiprocessing import shared_memory
 
 import numpy as np
 
@@ -93,7 +94,44 @@ class StrangeArraysTest(unittest.TestCase):
             for mode in ('r', 'r+', 'c'):
                 mapped = [np.load(path, mmap_mode=mode) for path in paths]
                 self.expect_the_same(*mapped)
+                self.expect_the_same(*(np.asarray(array)[:] for array in mapped))
                 self.assertEqual(mapped[0].flags.writeable, mode != 'r')
+
+    def test_files_that_another_process_changes_meanwhile(self):
+        arrays = plane(300, 2, 298, 0.01)
+        expected = tilemend.fill(*arrays)
+        for name, wrong in (('faces', 2**30), ('vertices', np.nan)):
+            for mode in ('r', 'c'):
+                with self.subTest(changed=name, mode=mode), tempfile.TemporaryDirectory() as folder:
+                    paths = [os.path.join(folder, f'{name}.npy') for name in ('vertices', 'faces')]
+                    for path, array in zip(paths, arrays):
+                        np.save(path, array)
+                    mapped = [np.load(path, mmap_mode=mode) for path in paths]
+                    changed = np.load(os.path.join(folder, f'{name}.npy'), mmap_mode='r+')
+                    calls = []
+
+                    def change(*_):
+                        calls.append(1)
+                        changed[:] = wrong
+
+                    filled = tilemend.fill(*mapped, progress=change)
+                    self.assertTrue(calls)
+                    self.assertEqual(filled.vertices.tobytes(), expected.vertices.tobytes())
+                    self.assertEqual(filled.faces.tobytes(), expected.faces.tobytes())
+
+    def test_memory_that_processes_share_is_copied(self):
+        memory = shared_memory.SharedMemory(create=True, size=self.faces.nbytes)
+        try:
+            faces = np.ndarray(self.faces.shape, self.faces.dtype, memory.buf)
+            faces[:] = self.faces
+            seen = []
+            tilemend.fill(self.vertices, faces, progress=lambda *_: seen.append(faces.flags.writeable))
+            self.expect_the_same(self.vertices, faces)
+            self.assertTrue(seen and all(seen))
+            del faces
+        finally:
+            memory.close()
+            memory.unlink()
 
     def test_unaligned_arrays(self):
         room = bytearray(self.vertices.nbytes + 1)
@@ -179,6 +217,21 @@ class ReadOnlyTest(unittest.TestCase):
         filled = tilemend.fill(vertices, faces)
         self.assertEqual(filled.vertices.tobytes(), expected.vertices.tobytes())
         self.assertFalse(vertices.flags.writeable)
+
+    def test_views_that_are_made_meanwhile_stay_read_only(self):
+        vertices, faces = plane(300, 2, 298, 0.01)
+        views = []
+        self.fill_and_write(vertices, faces, lambda: views.append(vertices[1:]))
+        self.assertTrue(views and not any(view.flags.writeable for view in views))
+        views[0].flags.writeable = True
+        self.assertTrue(views[0].flags.writeable)
+
+    def test_arrays_that_are_converted_stay_writeable(self):
+        vertices, faces = plane(300, 2, 298, 0.01)
+        turned = np.asfortranarray(vertices)
+        seen = []
+        self.fill_and_write(turned, faces, lambda: seen.append(turned.flags.writeable))
+        self.assertTrue(seen and all(seen))
 
     def test_arrays_of_a_result_are_writeable_again(self):
         filled = tilemend.fill(*sphere())
