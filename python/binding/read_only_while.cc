@@ -27,17 +27,14 @@ PyObject* ArrayWithSameMemory(PyObject* array) {
 
 }  // namespace
 
-ReadOnlyWhile::ReadOnlyWhile(const py::array& array) {
+// Delegates, so that the destructor runs if an exception leaves the loop.
+ReadOnlyWhile::ReadOnlyWhile(const py::array& array) : ReadOnlyWhile() {
   for (PyObject* held = array.ptr(); held != nullptr; held = ArrayWithSameMemory(held)) {
-    const auto known = Holders().find(held);
-    if (known != Holders().end()) {
-      ++known->second;
-    } else if ((FlagsOf(held) & kWriteable) != 0) {
-      Holders().emplace(held, 1);
-      FlagsOf(held) &= ~kWriteable;
-    } else {
-      continue;
-    }
+    const bool is_held = Holders().contains(held);
+    if (!is_held && (FlagsOf(held) & kWriteable) == 0) continue;
+    held_.reserve(held_.size() + 1);
+    ++Holders()[held];
+    FlagsOf(held) &= ~kWriteable;
     held_.push_back(held);
   }
 }

@@ -8,9 +8,16 @@
 
 namespace tilemend {
 
-// While it lives, an array is read-only: who writes to it gets numpy's ValueError. So is the array that it is a view
-// of, if it has the same memory. Other views that were there before can still be written to. Several may hold one
-// array. Precondition: the GIL is held when it begins and ends, and the array outlives it.
+// While it lives, an array is read-only: numpy raises a ValueError if code writes to it. So is the array that it is a
+// view of, if it has the same memory. At the end those that were writeable are so again. Several may hold one array.
+//
+// It does not see the following:
+// - Other views that were there before can still be written to.
+// - A view that is made meanwhile stays read-only, until its caller sets its flag `writeable`.
+// - Whatever a caller sets the flag to meanwhile, the array is writeable at the end.
+// - resize(refcheck=False) frees the memory meanwhile. So nobody may call it.
+//
+// Precondition: the GIL is held when it begins and ends, and the array outlives it.
 class ReadOnlyWhile {
  public:
   explicit ReadOnlyWhile(const pybind11::array& array);
@@ -19,10 +26,12 @@ class ReadOnlyWhile {
   ReadOnlyWhile& operator=(const ReadOnlyWhile&) = delete;
 
  private:
+  ReadOnlyWhile() = default;
+
   std::vector<PyObject*> held_;
 };
 
-// Has a forked child, in which no other thread reads, get its arrays back writeable. Called once, with the GIL.
+// In a forked child no other thread reads, so all arrays become writeable again there. Called once, with the GIL.
 void WatchForksOfReadOnly();
 
 }  // namespace tilemend
