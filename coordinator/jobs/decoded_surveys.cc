@@ -21,10 +21,13 @@ size_t BytesOf(const SurveyRecord& record) {
 
 void DecodedSurveys::Put(std::string output, SurveyRecord record) {
   const size_t bytes = output.size() + BytesOf(record);
-  if (bytes > max_bytes_) return;
   const std::lock_guard<std::mutex> lock(mutex_);
-  for (; bytes_ + bytes > max_bytes_; entries_.pop_front()) bytes_ -= entries_.front().bytes;
-  entries_.push_back({std::move(output), std::move(record), bytes});
+  ++puts_;
+  for (; !entries_.empty() && puts_ - entries_.front().number > max_age_; entries_.pop_front()) {
+    bytes_ -= entries_.front().bytes;
+  }
+  if (bytes > max_bytes_ - bytes_) return;
+  entries_.push_back({std::move(output), std::move(record), bytes, puts_});
   bytes_ += bytes;
 }
 

@@ -24,16 +24,31 @@ TEST(DecodedSurveysTest, GivesEachRecordOnceForTheBytesItIsOf) {
   EXPECT_EQ(surveys.Take("a")->triangle_count, 1);
 }
 
-TEST(DecodedSurveysTest, DropsTheOldestForWantOfRoom) {
+// A job that lags behind takes the oldest first.
+TEST(DecodedSurveysTest, KeepsTheOldestWhereThereIsNoRoomForAll) {
   DecodedSurveys surveys(kRoomForTwo);
   for (const char* output : {"a", "b", "c"}) surveys.Put(output, RecordOf(1));
-  EXPECT_FALSE(surveys.Take("a"));
+  EXPECT_TRUE(surveys.Take("a"));
   EXPECT_TRUE(surveys.Take("b"));
-  EXPECT_TRUE(surveys.Take("c"));
+  EXPECT_FALSE(surveys.Take("c"));
   // What was taken makes room.
   for (const char* output : {"d", "e"}) surveys.Put(output, RecordOf(1));
   EXPECT_TRUE(surveys.Take("d"));
   EXPECT_TRUE(surveys.Take("e"));
+}
+
+TEST(DecodedSurveysTest, DropsRecordsThatNobodyTakes) {
+  constexpr int kMaxAge = 3;
+  DecodedSurveys surveys(kRoomForTwo, kMaxAge);
+  for (const char* output : {"cancelled", "late"}) surveys.Put(output, RecordOf(1));
+  for (const char* output : {"a", "b"}) surveys.Put(output, RecordOf(1));
+  EXPECT_FALSE(surveys.Take("a"));
+  EXPECT_FALSE(surveys.Take("b"));
+  for (const char* output : {"c", "d"}) surveys.Put(output, RecordOf(1));
+  EXPECT_FALSE(surveys.Take("cancelled"));
+  EXPECT_FALSE(surveys.Take("late"));
+  EXPECT_TRUE(surveys.Take("c"));
+  EXPECT_TRUE(surveys.Take("d"));
 }
 
 TEST(DecodedSurveysTest, ARecordThatIsTooLargeIsNotKept) {

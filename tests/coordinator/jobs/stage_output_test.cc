@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <variant>
 
 namespace tilemend {
 namespace {
@@ -37,6 +38,26 @@ TEST(StageOutputTest, SaysWhatIsUnchanged) {
   assembled.set_unchanged(true);
   EXPECT_TRUE(IsUnchanged(StageOutput(surveyed)));
   EXPECT_TRUE(IsUnchanged(StageOutput(assembled)));
+}
+
+TEST(StageOutputTest, TakesTheRecordThatTheCheckHasDecoded) {
+  v1::SurveyOutput output;
+  output.set_digest("a digest");
+  const std::string bytes = output.SerializeAsString();
+  const auto decode = [&](Stage stage, DecodedSurveys* surveys) {
+    return DecodeResult({{1, 2}, stage, bytes}, surveys);
+  };
+  DecodedSurveys surveys;
+  SurveyRecord record;
+  record.triangle_count = 7;
+  surveys.Put(bytes, record);
+  EXPECT_FALSE(decode(Stage::kMeasure, &surveys)->record) << "a result of another stage";
+  EXPECT_FALSE(decode(Stage::kSurvey, nullptr)->record);
+  const auto result = decode(Stage::kSurvey, &surveys);
+  ASSERT_TRUE(result.ok() && result->record);
+  EXPECT_EQ(result->record->triangle_count, 7);
+  EXPECT_EQ(std::get<v1::SurveyOutput>(result->output).digest(), "a digest");
+  EXPECT_FALSE(decode(Stage::kSurvey, &surveys)->record) << "it was taken";
 }
 
 TEST(StageOutputTest, NamesTheCellOfBytesThatAreNoMessage) {

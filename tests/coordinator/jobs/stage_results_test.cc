@@ -9,6 +9,21 @@
 namespace tilemend {
 namespace {
 
+TEST(SurveyedTileOfTest, HasTheRecordThatIsGivenOrTheOneOfItsMessage) {
+  SurveyRecord sent, given;
+  sent.triangle_count = 7;
+  given.triangle_count = 8;
+  v1::SurveyOutput output = ToProto(sent);
+  output.set_digest("a digest");
+  const auto decoded = SurveyedTileOf(output);
+  ASSERT_TRUE(decoded.ok()) << decoded.status();
+  EXPECT_EQ(decoded->record.triangle_count, 7);
+  const auto taken = SurveyedTileOf(output, given);
+  ASSERT_TRUE(taken.ok()) << taken.status();
+  EXPECT_EQ(taken->record.triangle_count, 8);
+  EXPECT_EQ(taken->digest, "a digest");
+}
+
 TEST(SamplesOfTest, TakesTheColumnsOfAClusterTogether) {
   v1::SampleClusterOutput output;
   output.set_cluster(3);
