@@ -149,7 +149,7 @@ TEST_P(FoldedFillTest, FillsAroundAnIslandBetweenCrossings) {
   LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
   hole.open = true;
   LocalPatch patch = Filled(hole, GetParam());
-  ASSERT_TRUE(patch.ok()) << TextOf(patch.failure, 0);
+  ASSERT_TRUE(patch.ok()) << TextOf(patch.failure, {});
   EXPECT_EQ(FaultOf(hole, patch), FillFailure::kNone);
   ExpectClosesHole(work, work.holes[0], ToHolePatch(hole, std::move(patch)));
 }

@@ -79,7 +79,7 @@ TEST_F(FrontFillTest, MoreWorkThanAllowedLeavesTheHoleOpenWithThatReason) {
   FillerOptions filling;
   filling.most_work = 0;
   for (const Filler filler : kFronts) EXPECT_EQ(Fill(filler, filling).failure, FillFailure::kTooMuchWork);
-  EXPECT_NE(TextOf(FillFailure::kTooMuchWork, 3).find("--filler-work"), std::string::npos);
+  EXPECT_NE(TextOf(FillFailure::kTooMuchWork, {3}).find("--filler-work"), std::string::npos);
 }
 
 TEST_F(FrontFillTest, WithoutLoopsThereIsNoFront) {
