@@ -15,7 +15,7 @@ constexpr double kFarthest = 15;  // metres: half the width of a street
 constexpr double kNearestEdges = 1.5, kFarthestEdges = 3;  // mean edges, if that is more
 constexpr double kSquareShare = 0.1;                       // of kFarthest: side of the squares that count
 constexpr double kSteepest = 0.1;                          // rise / run; what is higher at kFarthest is an object
-constexpr double kScrap = 0.05;                            // of the squares: a jetty, a spike
+constexpr double kLeastOfAll = 0.05;                       // of all squares; fewer are a jetty or a spike
 constexpr int64_t kMinSquares = 10;
 
 // The shore of one rim in squares as wide as its reach.
@@ -49,7 +49,7 @@ class ShoreIndex {
     };
     const auto lower = static_cast<double>(count_below(most_above_));
     const auto low = count_below(std::max(most_above_, kSteepest * reach_));
-    const bool is_known = low >= kMinSquares && lower > kScrap * static_cast<double>(lowest_.size());
+    const bool is_known = low >= kMinSquares && lower > kLeastOfAll * static_cast<double>(lowest_.size());
     return is_known ? lower / static_cast<double>(low) : 0;
   }
 

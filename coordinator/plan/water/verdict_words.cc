@@ -15,7 +15,7 @@ std::string Centimetres(double metres) {
 }
 
 std::string LowerSurface(double share) {
-  return Rounded(100 * share) + " % of the surface around it is no higher than its rim";
+  return Rounded(100 * share) + " % of the low surface around it is no higher than its rim";
 }
 
 std::string Agreement(const LevelEvidence& e) {

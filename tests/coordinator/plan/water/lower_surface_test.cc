@@ -47,7 +47,7 @@ TEST(LowerSharesTest, RoofsDoNotCount) {
 }
 
 // A row of squares among 27 is no street.
-TEST(LowerSharesTest, ScrapsDoNotCount) {
+TEST(LowerSharesTest, AFewLowSquaresDoNotCount) {
   for (const double shift : {0.0, 0.4, 0.7, 1.1}) {
     EXPECT_EQ(ShareAround([&](double x, double y) { return y < 5 + shift && x < 16 ? 5 : 12; }), 0);
   }
