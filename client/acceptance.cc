@@ -398,7 +398,7 @@ absl::StatusOr<CheckInput> LoadInput(const std::string& in, const std::string& o
   if (!input.report.is_object() || !input.report.contains("cells")) {
     return absl::InvalidArgumentError(absl::StrCat(report_path, ": not a report (expected an object with cells)"));
   }
-  TILEMEND_ASSIGN_OR_RETURN(input.scene, LoadScene(in, ReadTileBounds, ReadTilesets));
+  TILEMEND_ASSIGN_OR_RETURN(input.scene, LoadScene(in, ReadTileHull, ReadTilesets));
   const Json& options = Member(input.report, "options");
   const std::string format = Text(Member(options, "output-format"));
   TILEMEND_RETURN_IF_ERROR(SetDeliveryPaths(format, input.scene));

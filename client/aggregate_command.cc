@@ -98,7 +98,7 @@ int AggregateCommand(const Args& args) {
   if (!options.ok()) return PrintUsageError(options.status());
   const std::string out = args.Text("out");
   if (const absl::Status status = CheckPath(out, args.Switch("overwrite")); !status.ok()) return PrintError(status);
-  const auto scene = LoadScene(args.arguments().front(), ReadTileBounds, ReadTilesets);
+  const auto scene = LoadScene(args.arguments().front(), ReadTileHull, ReadTilesets);
   if (!scene.ok()) return PrintError(scene.status());
   if (const absl::Status status = CheckApart(out, *scene); !status.ok()) return PrintError(status);
   SignalWatcher signals;  // before other threads

@@ -139,7 +139,7 @@ CheckedScene OutputOf(Scene scene, const Json& report, const std::string& folder
 }
 
 absl::StatusOr<CheckedScene> SceneWithItsArea(const std::string& path) {
-  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(path, ReadTileBounds, ReadTilesets));
+  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(path, ReadTileHull, ReadTilesets));
   ApplyArea("", scene);
   return CheckedScene{std::move(scene), {}};
 }
@@ -157,7 +157,7 @@ absl::StatusOr<CheckedScene> SceneAt(const std::string& path) {
     return absl::InvalidArgumentError(absl::StrCat(report_path, ": not a report; run the same job again"));
   }
   const std::string source = Text(Member(report, "scene"));
-  auto scene = LoadScene(source.empty() ? path : source, ReadTileBounds, ReadTilesets);
+  auto scene = LoadScene(source.empty() ? path : source, ReadTileHull, ReadTilesets);
   if (!scene.ok()) {
     PrintWarnings(
         {absl::StrCat(std::string(scene.status().message()),

@@ -292,7 +292,7 @@ absl::Status CheckOutputs(const Request& request) {
 
 int InspectSceneAt(const Request& request) {
   if (const absl::Status status = CheckOutputs(request); !status.ok()) return PrintError(status);
-  auto scene = LoadScene(request.path, ReadTileBounds, ReadTilesets);
+  auto scene = LoadScene(request.path, ReadTileHull, ReadTilesets);
   if (!scene.ok()) return PrintError(scene.status());
   if (const absl::Status status = CheckInputsStay(request, *scene); !status.ok()) return PrintUsageError(status);
   const auto inspection = InspectSceneOf(request, *std::move(scene));

@@ -75,7 +75,7 @@ absl::Status WriteReportPage(const std::string& out) {
   if (!report.is_object() || !report.contains("cells")) {
     return absl::InvalidArgumentError(absl::StrCat(report_path, ": not a report (expected an object with cells)"));
   }
-  auto scene = LoadScene(Text(Member(report, "scene")), ReadTileBounds, ReadTilesets);
+  auto scene = LoadScene(Text(Member(report, "scene")), ReadTileHull, ReadTilesets);
   const std::string format = Text(Member(Member(report, "options"), "output-format"));
   if (scene.ok()) TILEMEND_RETURN_IF_ERROR(SetDeliveryPaths(format, *scene));
   PagePictures pictures;

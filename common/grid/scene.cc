@@ -72,8 +72,7 @@ void WarnOfLinksOut(Scene& scene) {
                                         count > 1 ? absl::StrCat(", as do ", count - 1, " other tiles") : ""));
 }
 
-absl::StatusOr<Scene> Load(const std::string& path, const BoundsReader& read_bounds,
-                           const TilesetReader& read_tileset) {
+absl::StatusOr<Scene> Load(const std::string& path, const HullReader& read_hull, const TilesetReader& read_tileset) {
   const auto look = LookAt(path);
   if (absl::IsNotFound(look.status())) return absl::NotFoundError(absl::StrCat(path, ": no such scene"));
   if (!look.ok()) return look.status();
@@ -82,7 +81,7 @@ absl::StatusOr<Scene> Load(const std::string& path, const BoundsReader& read_bou
     TILEMEND_ASSIGN_OR_RETURN(const bool has_json, IsThere(json));
     if (has_json) return ReadSceneJson(json, path);
     TILEMEND_ASSIGN_OR_RETURN(const std::string tileset, FindTileset(path));
-    return tileset.empty() ? FindScene(path, read_bounds) : FindTilesetScene(path, tileset, read_tileset);
+    return tileset.empty() ? FindScene(path, read_hull) : FindTilesetScene(path, tileset, read_hull, read_tileset);
   }
   if (absl::AsciiStrToLower(fs::path(path).extension().string()) != ".json") {
     return absl::InvalidArgumentError(
@@ -90,15 +89,17 @@ absl::StatusOr<Scene> Load(const std::string& path, const BoundsReader& read_bou
   }
   std::string folder = fs::path(path).parent_path().string();
   if (folder.empty()) folder = ".";
-  if (LooksLikeTileset(path)) return FindTilesetScene(folder, fs::path(path).filename().string(), read_tileset);
+  if (LooksLikeTileset(path)) {
+    return FindTilesetScene(folder, fs::path(path).filename().string(), read_hull, read_tileset);
+  }
   return ReadSceneJson(path, folder);
 }
 
 }  // namespace
 
-absl::StatusOr<Scene> LoadScene(const std::string& path, const BoundsReader& read_bounds,
+absl::StatusOr<Scene> LoadScene(const std::string& path, const HullReader& read_hull,
                                 const TilesetReader& read_tileset) {
-  TILEMEND_ASSIGN_OR_RETURN(Scene scene, Load(path, read_bounds, read_tileset));
+  TILEMEND_ASSIGN_OR_RETURN(Scene scene, Load(path, read_hull, read_tileset));
   // Outputs have it beside a scene.json, too. A scene.json that was written for tiles without numbers may leave the
   // place to it.
   const std::string metadata = (fs::path(scene.root) / "metadata.xml").string();

@@ -65,16 +65,18 @@ struct Box {
   Point3 hi{0, 0, 0};
 };
 
-// The bounds of the mesh in the file `path` (root and tile path joined). Injected, so that the grid does not depend on
-// the mesh readers. An error is passed on by LoadScene as it is and must name the file.
-using BoundsReader = std::function<absl::StatusOr<Box>(const std::string& path)>;
+// The convex hull of a mesh seen from above, counter-clockwise, metres.
+using ConvexHull = std::vector<Point2>;
+
+// That of the tile at `path` (root and tile path joined) in its frame; not empty. Injected, so that the grid does not
+// depend on the mesh readers. An error is passed on by LoadScene as it is and must name the file.
+using HullReader = std::function<absl::StatusOr<ConvexHull>(const std::string& path, const TileFrame& frame)>;
 
 // The tilesets in a folder of 3D Tiles that are tiles of a scene, in the order of their paths.
 struct TilesetTiles {
   struct Tile {
     std::string path;  // relative to the folder
     TileFrame frame;
-    Box bounds;
   };
   std::string crs;          // of the scene's plane; empty: not known
   double height = 0;        // of its origin above the ellipsoid, metres
@@ -82,8 +84,10 @@ struct TilesetTiles {
   std::string warning;      // why it is the entry itself, though it names others; or empty
 };
 
-// Reads the tileset `entry` of a folder. Injected as BoundsReader is; an error names the file.
-using TilesetReader = std::function<absl::StatusOr<TilesetTiles>(const std::string& folder, const std::string& entry)>;
+// Reads the tileset `entry` of a folder. The frames of its tiles have axes that are turned by `turn` against those that
+// it has by itself, radians counter-clockwise. Injected as HullReader is; an error names the file.
+using TilesetReader =
+    std::function<absl::StatusOr<TilesetTiles>(const std::string& folder, const std::string& entry, double turn)>;
 
 // Reads `path`: a folder with scene.json (or the scene.json itself), or a folder of tiles found by name:
 //   *_+CCC_+RRR.ply|obj (sign and digits) directly or under tiles/, or the photogrammetry layout
@@ -102,13 +106,15 @@ using TilesetReader = std::function<absl::StatusOr<TilesetTiles>(const std::stri
 //   area         a GeoJSON Polygon or MultiPolygon in scene coordinates, or a file name
 // Other fields are ignored.
 //
-// For a scene found by name the grid is worked out from the tiles' bounds and indices, on which all tiles must agree. A
-// warning says what was found, area_known is false, and the numbering is shifted if an index is negative. Only then
-// `read_bounds` is called, once for each tile; for a scene with scene.json it may be empty. Errors (kNotFound,
+// For a scene found by name the grid is worked out from the indices and hulls of the tiles that TilesToLookAt names. A
+// warning says what was found, area_known is false, and the numbering is shifted if an index is negative. If a tileset
+// was cut along other axes than its own, such as those of a map, the scene has the axes of the cut: those of which the
+// bounds of neighbours fit together better. `read_hull` is called for these tiles only, for each tile of a tileset
+// whose names have no numbers, and for none of a scene with scene.json; then it may be empty. Errors (kNotFound,
 // kInvalidArgument) name the file and the place. Faults are bad JSON, cell_size <= 0 or beyond kMostMetres, a tile
 // listed twice or two tiles for one cell. Also a path that leaves the folder, a missing tile file, a format that is not
 // read, a file name that is not UTF-8.
-absl::StatusOr<Scene> LoadScene(const std::string& path, const BoundsReader& read_bounds,
+absl::StatusOr<Scene> LoadScene(const std::string& path, const HullReader& read_hull,
                                 const TilesetReader& read_tileset = nullptr);
 
 // scene.json text for `scene`; LoadScene reads it back (all but the warnings and the root).

@@ -19,6 +19,7 @@
 #include "absl/strings/str_split.h"
 #include "common/grid/grid_fit.h"
 #include "common/grid/scene_sources.h"
+#include "common/grid/tile_hulls.h"
 #include "common/util/files.h"
 #include "common/util/folders.h"
 #include "common/util/status_macros.h"
@@ -275,20 +276,29 @@ void SetExtent(Scene* scene) {
   }
 }
 
-absl::StatusOr<std::vector<PlacedTile>> ReadBounds(const Findings& findings, const BoundsReader& read_bounds) {
-  std::vector<PlacedTile> placed;
+absl::StatusOr<std::vector<PlacedTile>> ReadBounds(const Findings& findings, const HullReader& read_hull) {
+  std::vector<CellId> cells;
+  std::vector<std::string> files;
   for (const auto& [cell, file] : findings.tiles) {
-    TILEMEND_ASSIGN_OR_RETURN(const Box bounds, read_bounds(file.string()));
-    placed.push_back({cell, file.string(), bounds});
+    cells.push_back(cell);
+    files.push_back(file.string());
+  }
+  std::vector<PlacedTile> placed;
+  for (const size_t t : TilesToLookAt(cells)) {
+    TILEMEND_ASSIGN_OR_RETURN(const ConvexHull hull, read_hull(files[t], {}));
+    placed.push_back({cells[t], files[t], BoundsOf(hull, 0)});
   }
   return placed;
 }
 
-std::string GridWarning(const Scene& scene) {
+std::string GridWarning(const Scene& scene, size_t looked_at) {
   const Grid& grid = scene.grid;
+  const std::string tiles = looked_at == scene.tiles.size()
+                                ? absl::StrCat(looked_at, " tiles")
+                                : absl::StrCat(looked_at, " of ", scene.tiles.size(), " tiles");
   return absl::StrFormat(
-      "%s: no scene.json; from the names and bounds of %d tiles: cell size %.10g x %.10g, grid corner %.10g, %.10g",
-      scene.root, scene.tiles.size(), grid.cell_size.x(), grid.cell_size.y(), grid.corner.x(), grid.corner.y());
+      "%s: no scene.json; from the names and bounds of %s: cell size %.10g x %.10g, grid corner %.10g, %.10g",
+      scene.root, tiles, grid.cell_size.x(), grid.cell_size.y(), grid.corner.x(), grid.corner.y());
 }
 
 }  // namespace
@@ -320,16 +330,16 @@ absl::Status NumberCells(Scene* scene) {
   return absl::InvalidArgumentError(absl::StrCat(scene->root, ": more than ", kMaxCellsPerSide, " columns or rows"));
 }
 
-absl::StatusOr<Scene> FindScene(const std::string& root, const BoundsReader& read_bounds) {
-  if (!read_bounds)
-    return absl::FailedPreconditionError(absl::StrCat(root, ": no scene.json, and no reader of bounds"));
+absl::StatusOr<Scene> FindScene(const std::string& root, const HullReader& read_hull) {
+  if (!read_hull) return absl::FailedPreconditionError(absl::StrCat(root, ": no scene.json, and no reader of tiles"));
   TILEMEND_ASSIGN_OR_RETURN(const Findings findings, FindTiles(root));
   Scene scene;
   scene.root = root;
   scene.found_by_name = true;
   scene.warnings = findings.warnings;
   TILEMEND_RETURN_IF_ERROR(ReadMetadata(root, findings.in_folders, &scene));
-  TILEMEND_ASSIGN_OR_RETURN(std::vector<PlacedTile> placed, ReadBounds(findings, read_bounds));
+  TILEMEND_ASSIGN_OR_RETURN(std::vector<PlacedTile> placed, ReadBounds(findings, read_hull));
+  const size_t looked_at = placed.size();
   TILEMEND_ASSIGN_OR_RETURN(scene.grid, FitGrid(std::move(placed)));
   for (const auto& [cell, file] : findings.tiles) {
     scene.tiles.push_back({cell, file.lexically_relative(root).string()});
@@ -338,7 +348,7 @@ absl::StatusOr<Scene> FindScene(const std::string& root, const BoundsReader& rea
           absl::StrCat(Printable(file.string()), ": a file name that is not UTF-8; rename it"));
     }
   }
-  scene.warnings.push_back(GridWarning(scene));
+  scene.warnings.push_back(GridWarning(scene, looked_at));
   TILEMEND_RETURN_IF_ERROR(NumberCells(&scene));
   return scene;
 }

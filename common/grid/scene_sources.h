@@ -25,13 +25,13 @@ absl::StatusOr<Scene> ParseSceneJson(const std::string& text, const std::string&
 absl::Status ParseMetadata(const std::string& text, const std::string& path, Scene* scene);
 
 // Finds the tiles of a folder without scene.json by their names.
-absl::StatusOr<Scene> FindScene(const std::string& root, const BoundsReader& read_bounds);
+absl::StatusOr<Scene> FindScene(const std::string& root, const HullReader& read_hull);
 
 // The file name of the tileset that a folder has: tileset.json, or the only .json file that is one; empty: none.
 absl::StatusOr<std::string> FindTileset(const std::string& root);
 
 // The scene of the tileset `entry` in a folder.
-absl::StatusOr<Scene> FindTilesetScene(const std::string& root, const std::string& entry,
+absl::StatusOr<Scene> FindTilesetScene(const std::string& root, const std::string& entry, const HullReader& read_hull,
                                        const TilesetReader& read_tileset);
 
 // Whether a file is a tileset by what it has, whatever is wrong with it. Reads it.

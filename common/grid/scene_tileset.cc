@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "absl/strings/str_format.h"
 #include "common/grid/grid_fit.h"
 #include "common/grid/scene_sources.h"
+#include "common/grid/tile_hulls.h"
 #include "common/util/files.h"
 #include "common/util/folders.h"
 #include "common/util/status_macros.h"
@@ -61,40 +63,97 @@ double MiddleOne(std::vector<double> values) {
   return *middle;
 }
 
-// The cells of tiles without numbers in their names, by a grid of the median tile's size.
-std::vector<CellId> CellsByPlace(const std::vector<TilesetTiles::Tile>& tiles) {
-  std::vector<CellId> cells(tiles.size());
+// The distance of neighbours, tiles that begin at `lows` and are `size` wide in the median; `size` if there are none.
+double PitchOf(std::vector<double> lows, double size) {
+  std::ranges::sort(lows);
+  std::vector<double> steps;
+  for (size_t i = 1; i < lows.size(); ++i) {
+    if (lows[i] - lows[i - 1] > size / 2) steps.push_back(lows[i] - lows[i - 1]);
+  }
+  return steps.empty() ? size : MiddleOne(std::move(steps));
+}
+
+// The cells of tiles without numbers in their names, by a grid along turned axes.
+std::vector<CellId> CellsByPlace(const std::vector<ConvexHull>& hulls, double turn) {
+  std::vector<Box> boxes;
+  for (const ConvexHull& hull : hulls) boxes.push_back(BoundsOf(hull, turn));
+  std::vector<CellId> cells(boxes.size());
   for (int k = 0; k < 2; ++k) {
-    std::vector<double> sizes;
-    double least = tiles[0].bounds.lo[k];
-    for (const TilesetTiles::Tile& tile : tiles) {
-      sizes.push_back(tile.bounds.hi[k] - tile.bounds.lo[k]);
-      least = std::min(least, tile.bounds.lo[k]);
+    std::vector<double> sizes, lows;
+    for (const Box& box : boxes) {
+      sizes.push_back(box.hi[k] - box.lo[k]);
+      lows.push_back(box.lo[k]);
     }
-    const double size = std::fmax(1, MiddleOne(std::move(sizes)));
-    for (size_t t = 0; t < tiles.size(); ++t) {
-      const double at = ((tiles[t].bounds.lo[k] + tiles[t].bounds.hi[k]) / 2 - least) / size;
+    const double least = *std::ranges::min_element(lows);
+    const double pitch = PitchOf(std::move(lows), std::fmax(1, MiddleOne(std::move(sizes))));
+    for (size_t t = 0; t < boxes.size(); ++t) {
+      const double at = ((boxes[t].lo[k] + boxes[t].hi[k]) / 2 - least) / pitch;
       (k == 0 ? cells[t].col : cells[t].row) = static_cast<int32_t>(std::fmin(at, kMaxCellsPerSide));
     }
   }
   return cells;
 }
 
-absl::StatusOr<std::vector<CellId>> CellsOf(const std::vector<TilesetTiles::Tile>& tiles) {
+// None if a name has no numbers.
+absl::StatusOr<std::vector<CellId>> CellsInNames(const std::vector<TilesetTiles::Tile>& tiles) {
   std::vector<CellId> cells;
   for (const TilesetTiles::Tile& tile : tiles) {
     TILEMEND_ASSIGN_OR_RETURN(const std::optional<CellId> cell, CellInName(tile.path));
-    if (!cell) return CellsByPlace(tiles);
+    if (!cell) return std::vector<CellId>();
     cells.push_back(*cell);
   }
   return cells;
 }
 
+// How the tiles of a tileset lie: the axes that they were cut along, and their cells there.
+struct Cut {
+  double turn = 0;
+  std::vector<CellId> cells;        // of all tiles
+  std::vector<TileHull> looked_at;  // in the frames that the tileset has by itself
+  std::vector<size_t> tile_of;      // of each of these
+};
+
+// Exports in a map's frame are cut along its axes. The hulls' sides tell that, but so does the edge of a survey that
+// lies askew: the axes are right along which neighbours fit together better.
+absl::StatusOr<Cut> FindCut(const std::string& root, const std::vector<TilesetTiles::Tile>& tiles,
+                            const HullReader& read_hull) {
+  Cut cut;
+  TILEMEND_ASSIGN_OR_RETURN(const std::vector<CellId> named, CellsInNames(tiles));
+  const bool has_names = !named.empty();
+  cut.tile_of = TilesToLookAt(has_names ? named : std::vector<CellId>());
+  if (!has_names) {
+    for (size_t t = 0; t < tiles.size(); ++t) cut.tile_of.push_back(t);
+  }
+  std::vector<ConvexHull> hulls;
+  for (const size_t t : cut.tile_of) {
+    TILEMEND_ASSIGN_OR_RETURN(hulls.emplace_back(), read_hull(absl::StrCat(root, "/", tiles[t].path), tiles[t].frame));
+  }
+  double least_gap = INFINITY;
+  for (const double turn : {0.0, TurnOfSides(hulls)}) {
+    const std::vector<CellId> cells = has_names ? named : CellsByPlace(hulls, turn);
+    std::vector<TileHull> placed;
+    for (size_t k = 0; k < hulls.size(); ++k) placed.push_back({cells[cut.tile_of[k]], hulls[k]});
+    const double gap = MedianGap(placed, turn);
+    if (!cut.cells.empty() && !(gap < least_gap)) continue;
+    least_gap = gap;
+    cut.turn = turn;
+    cut.cells = cells;
+    cut.looked_at = std::move(placed);
+  }
+  return cut;
+}
+
+std::string AxesWarning(const Scene& scene, double turn) {
+  return absl::StrFormat(
+      "%s/%s: its tiles were cut along axes that are turned by %.3f degrees against its own, as those of a map are; "
+      "the scene's x and y follow the cut",
+      scene.root, scene.tileset, turn * 180 / std::numbers::pi);
+}
+
 // A cell for each tile of a tileset.
-absl::Status AddCells(const TilesetTiles& tilesets, const std::string& entry, Scene* scene) {
-  TILEMEND_ASSIGN_OR_RETURN(const std::vector<CellId> cells, CellsOf(tilesets.tiles));
+absl::Status AddCells(const TilesetTiles& tilesets, const Cut& cut, const std::string& entry, Scene* scene) {
+  const std::vector<CellId>& cells = cut.cells;
   std::map<CellId, std::string> taken;
-  std::vector<PlacedTile> placed;
   for (size_t t = 0; t < cells.size(); ++t) {
     const TilesetTiles::Tile& tile = tilesets.tiles[t];
     if (const auto [at, fresh] = taken.emplace(cells[t], tile.path); !fresh) {
@@ -104,21 +163,26 @@ absl::Status AddCells(const TilesetTiles& tilesets, const std::string& entry, Sc
     }
     scene->tiles.push_back({cells[t], tile.path});
     scene->tiles.back().frame = tile.frame;
-    placed.push_back({cells[t], tile.path, tile.bounds});
+  }
+  std::vector<PlacedTile> placed;
+  for (size_t k = 0; k < cut.tile_of.size(); ++k) {
+    placed.push_back(
+        {cut.looked_at[k].cell, tilesets.tiles[cut.tile_of[k]].path, BoundsOf(cut.looked_at[k].hull, cut.turn)});
   }
   TILEMEND_ASSIGN_OR_RETURN(scene->grid, FitGrid(std::move(placed)));
   scene->tileset = entry;
+  if (cut.turn != 0) scene->warnings.push_back(AxesWarning(*scene, cut.turn));
   scene->warnings.push_back(absl::StrFormat("%s/%s: %d tilesets as cells of %.10g x %.10g m, grid corner %.10g, %.10g",
                                             scene->root, entry, cells.size(), scene->grid.cell_size.x(),
                                             scene->grid.cell_size.y(), scene->grid.corner.x(), scene->grid.corner.y()));
   return absl::OkStatus();
 }
 
-void AddWhole(const TilesetTiles::Tile& tile, Scene* scene) {
+void AddWhole(const TilesetTiles::Tile& tile, const Box& bounds, Scene* scene) {
   scene->tiles.push_back({{0, 0}, tile.path});
   for (int k = 0; k < 2; ++k) {
-    scene->grid.corner[k] = std::floor(tile.bounds.lo[k]);
-    scene->grid.cell_size[k] = std::fmax(1, std::ceil(tile.bounds.hi[k]) - scene->grid.corner[k]);
+    scene->grid.corner[k] = std::floor(bounds.lo[k]);
+    scene->grid.cell_size[k] = std::fmax(1, std::ceil(bounds.hi[k]) - scene->grid.corner[k]);
   }
   scene->warnings.push_back(absl::StrFormat("%s/%s: the tileset is one cell of %.10g x %.10g m", scene->root, tile.path,
                                             scene->grid.cell_size.x(), scene->grid.cell_size.y()));
@@ -151,20 +215,31 @@ absl::StatusOr<std::string> FindTileset(const std::string& root) {
   return found;
 }
 
-absl::StatusOr<Scene> FindTilesetScene(const std::string& root, const std::string& entry,
+absl::StatusOr<Scene> FindTilesetScene(const std::string& root, const std::string& entry, const HullReader& read_hull,
                                        const TilesetReader& read_tileset) {
-  if (!read_tileset) return absl::FailedPreconditionError(absl::StrCat(root, ": no scene.json, and no tileset reader"));
-  TILEMEND_ASSIGN_OR_RETURN(const TilesetTiles tilesets, read_tileset(root, entry));
+  if (!read_tileset || !read_hull) {
+    return absl::FailedPreconditionError(absl::StrCat(root, ": no scene.json, and no tileset reader"));
+  }
+  TILEMEND_ASSIGN_OR_RETURN(TilesetTiles tilesets, read_tileset(root, entry, 0));
+  const bool is_whole = tilesets.tiles.size() == 1 && tilesets.tiles[0].path == entry;
+  Cut cut;
+  if (!is_whole) {
+    TILEMEND_ASSIGN_OR_RETURN(cut, FindCut(root, tilesets.tiles, read_hull));
+    if (cut.turn != 0) {
+      TILEMEND_ASSIGN_OR_RETURN(tilesets, read_tileset(root, entry, cut.turn));
+    }
+  }
   Scene scene;
   scene.root = root;
   scene.found_by_name = true;
   scene.crs = tilesets.crs;
   scene.origin.z() = tilesets.height;
   if (!tilesets.warning.empty()) scene.warnings.push_back(tilesets.warning);
-  if (tilesets.tiles.size() == 1 && tilesets.tiles[0].path == entry) {
-    AddWhole(tilesets.tiles[0], &scene);
+  if (is_whole) {
+    TILEMEND_ASSIGN_OR_RETURN(const ConvexHull hull, read_hull(absl::StrCat(root, "/", entry), {}));
+    AddWhole(tilesets.tiles[0], BoundsOf(hull, 0), &scene);
   } else {
-    TILEMEND_RETURN_IF_ERROR(AddCells(tilesets, entry, &scene));
+    TILEMEND_RETURN_IF_ERROR(AddCells(tilesets, cut, entry, &scene));
   }
   TILEMEND_RETURN_IF_ERROR(NumberCells(&scene));
   return scene;

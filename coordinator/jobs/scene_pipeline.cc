@@ -360,7 +360,7 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
                                                                VerifiedShares verified,
                                                                std::shared_ptr<DecodedSurveys> surveys,
                                                                const std::stop_token& stop) {
-  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene(), ReadTileBounds, ReadTilesets));
+  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(spec.scene(), ReadTileHull, ReadTilesets));
   CheckCrs(scene, stop);
   TILEMEND_ASSIGN_OR_RETURN(const std::string area_digest, ApplyAreaChoice(spec.area(), scene, stop));
   TILEMEND_RETURN_IF_ERROR(SetDeliveryPaths(spec.output_format(), scene));

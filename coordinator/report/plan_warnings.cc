@@ -68,7 +68,7 @@ void WarnOfTiles(const Plan& plan, std::vector<std::string>& warnings) {
   if (plan.remarks.turn != 0) {
     warnings.push_back(absl::StrFormat(
         "the tiles are turned by %.2f degrees against the scene's axes, so holes over their borders may be missed, and "
-        "others found that are none; export in the frame of the map, as OBJ or OSGB",
+        "others found that are none; export them in the frame that they were cut in",
         plan.remarks.turn * 180 / std::numbers::pi));
   }
   if (plan.remarks.has_polygon && plan.holes.empty() && plan.left.empty()) {

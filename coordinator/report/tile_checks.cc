@@ -1,11 +1,13 @@
 #include "coordinator/report/tile_checks.h"
 
 #include <utility>
+#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "common/codec/mesh_file.h"
 #include "common/codec/tiles3d/tileset_layout.h"
+#include "common/grid/tile_hulls.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -16,29 +18,18 @@ constexpr double kReachBeyondCell = 0.25;
 
 }  // namespace
 
-namespace {
-
-absl::StatusOr<Box> BoundsOf(const std::string& path, const TileFrame& frame) {
+absl::StatusOr<ConvexHull> ReadTileHull(const std::string& path, const TileFrame& frame) {
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(path, frame));
-  Box box{file.mesh.points[0], file.mesh.points[0]};
-  for (const Point3& p : file.mesh.points) {
-    box.lo = box.lo.cwiseMin(p);
-    box.hi = box.hi.cwiseMax(p);
-  }
-  return box;
+  std::vector<Point2> points;
+  points.reserve(file.mesh.points.size());
+  for (const Point3& p : file.mesh.points) points.emplace_back(p.head<2>());
+  return HullOf(std::move(points));
 }
 
-}  // namespace
-
-absl::StatusOr<Box> ReadTileBounds(const std::string& path) { return BoundsOf(path, {}); }
-
-absl::StatusOr<TilesetTiles> ReadTilesets(const std::string& folder, const std::string& entry) {
-  TILEMEND_ASSIGN_OR_RETURN(TilesetLayout layout, ReadTilesetLayout(folder, entry));
+absl::StatusOr<TilesetTiles> ReadTilesets(const std::string& folder, const std::string& entry, double turn) {
+  TILEMEND_ASSIGN_OR_RETURN(TilesetLayout layout, ReadTilesetLayout(folder, entry, turn));
   TilesetTiles result{std::move(layout.crs), layout.height, {}, std::move(layout.warning)};
-  for (TilesetPlace& place : layout.tilesets) {
-    TILEMEND_ASSIGN_OR_RETURN(const Box bounds, BoundsOf(absl::StrCat(folder, "/", place.path), place.frame));
-    result.tiles.push_back({std::move(place.path), std::move(place.frame), bounds});
-  }
+  for (TilesetPlace& place : layout.tilesets) result.tiles.push_back({std::move(place.path), std::move(place.frame)});
   return result;
 }
 

@@ -11,11 +11,11 @@
 
 namespace tilemend {
 
-// The bounds of a mesh file, for LoadScene on folders without scene.json.
-absl::StatusOr<Box> ReadTileBounds(const std::string& path);
+// The convex hull of a tile seen from above, for LoadScene on folders without scene.json. Errors of ReadMeshFile.
+absl::StatusOr<ConvexHull> ReadTileHull(const std::string& path, const TileFrame& frame);
 
-// The tiles of a tileset, for LoadScene on folders of 3D Tiles.
-absl::StatusOr<TilesetTiles> ReadTilesets(const std::string& folder, const std::string& entry);
+// The tiles of a tileset, for LoadScene on folders of 3D Tiles. Errors of ReadTilesetLayout.
+absl::StatusOr<TilesetTiles> ReadTilesets(const std::string& folder, const std::string& entry, double turn);
 
 // Where the tile of a cell may lie: in its cell or at most a quarter cell beyond it.
 struct Box2 {

@@ -14,7 +14,7 @@ namespace {
 TEST(DemoSceneTest, HasALakeOverSeveralCellsAndSmallHoles) {
   const TemporaryFolder folder;
   ASSERT_TRUE(WriteDemoScene(folder.path()).ok());
-  auto scene = LoadScene(folder.path(), ReadTileBounds);
+  auto scene = LoadScene(folder.path(), ReadTileHull);
   ASSERT_TRUE(scene.ok()) << scene.status();
   const Inspection inspection = InspectScene(*std::move(scene), {});
   EXPECT_TRUE(inspection.errors.empty());

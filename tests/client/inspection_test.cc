@@ -23,7 +23,7 @@ TEST(InspectSceneTest, TellsHowFarItIsAndWhichFilesAreMissing) {
   for (const auto& [path, bytes] : OsgbScene().Files()) {
     if (!path.ends_with("Tile_+001_+000_L2_3.osgb")) folder.Write(path, bytes);
   }
-  auto scene = LoadScene(folder.path(), ReadTileBounds);
+  auto scene = LoadScene(folder.path(), ReadTileHull);
   ASSERT_TRUE(scene.ok()) << scene.status();
   std::vector<std::string> told;
   const Inspection inspection =

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -54,6 +55,9 @@ class TilesetRunTest : public ::testing::Test {
                           {"geometry", {{"type", "Polygon"}, {"coordinates", {ring}}}}};
     return folder_.Write("pond.geojson", feature.dump());
   }
+
+  // Of a run on two tilesets.
+  void ExpectLevelPond(const Ended& ended, double tolerance, const Point2& origin);
 
   const TemporaryFolder folder_;
 };
@@ -185,6 +189,15 @@ void ExpectLevelTiles(const std::string& scene, const std::string& out, double l
   }
 }
 
+void TilesetRunTest::ExpectLevelPond(const Ended& ended, double tolerance, const Point2& origin) {
+  ASSERT_TRUE(ended.code == 0 || ended.code == 100) << ended.err;
+  const Json report = ReportOf(folder_ / "out");
+  ASSERT_EQ(report["water"].size(), 1U) << ended.out << ended.err;
+  ExpectLevelTiles(folder_ / "scene", folder_ / "out", report["water"][0]["level_m"], tolerance, origin);
+  const Ended check = Tilemend({"check", folder_ / "scene", folder_ / "out"});
+  EXPECT_EQ(check.code, 0) << check.out << check.err;
+}
+
 TEST_F(TilesetRunTest, TilesetsOfTilesAreCells) {
   for (const Place place : {Place::kLocal, Place::kOnEarth, Place::kEarthCentred}) {
     SCOPED_TRACE(static_cast<int>(place));
@@ -192,15 +205,24 @@ TEST_F(TilesetRunTest, TilesetsOfTilesAreCells) {
     WriteScene({.files = TilesetScene::Files::kOfTiles, .place = place});
     const Ended ended = Tilemend(
         {"run", folder_ / "scene", "--out", folder_ / "out", "--overwrite", "--water", PondPolygon(false, origin)});
-    ASSERT_TRUE(ended.code == 0 || ended.code == 100) << ended.err;
-    const Json report = ReportOf(folder_ / "out");
-    ASSERT_EQ(report["water"].size(), 1U) << ended.out << ended.err;
-    ExpectLevelTiles(folder_ / "scene", folder_ / "out", report["water"][0]["level_m"],
-                     place == Place::kEarthCentred ? 2e-5 : 1e-6, origin);
+    ExpectLevelPond(ended, place == Place::kEarthCentred ? 2e-5 : 1e-6, origin);
     EXPECT_EQ(*ReadFile(folder_ / "out/tileset.json"), *ReadFile(folder_ / "scene/tileset.json"))
         << "the fills lie within the volumes";
-    const Ended check = Tilemend({"check", folder_ / "scene", folder_ / "out"});
-    EXPECT_EQ(check.code, 0) << check.out << check.err;
+  }
+}
+
+TEST_F(TilesetRunTest, TilesMayBeCutAlongTheAxesOfAMap) {
+  for (const Place place : {Place::kLocal, Place::kOnEarth, Place::kEarthCentred}) {
+    SCOPED_TRACE(static_cast<int>(place));
+    const double turn = 0.02;
+    const Point2 origin = place == Place::kEarthCentred ? Eigen::Rotation2Dd(-turn) * Point2(64, 32) : Point2(0, 0);
+    WriteScene({.files = TilesetScene::Files::kOfTiles, .place = place, .turn = turn});
+    const Ended ended = Tilemend(
+        {"run", folder_ / "scene", "--out", folder_ / "out", "--overwrite", "--water", PondPolygon(false, origin)});
+    EXPECT_THAT(ReportOf(folder_ / "out")["warnings"].dump(), HasSubstr("cut along axes that are turned by 1.14"));
+    EXPECT_THAT(Json::parse(*ReadFile(folder_ / "out/scene.json")).dump(),
+                HasSubstr(place == Place::kLocal ? "" : "+gamma=46.14"));
+    ExpectLevelPond(ended, 2e-5, origin);
   }
 }
 

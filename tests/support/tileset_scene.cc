@@ -1,5 +1,6 @@
 #include "tests/support/tileset_scene.h"
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -117,6 +118,12 @@ std::string Document(const Json& root) {
   return Json({{"asset", {{"version", "1.1"}}}, {"geometricError", 128}, {"root", root}}).dump();
 }
 
+Eigen::Matrix4d TurnOf(const TilesetScene& scene) {
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+  matrix.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(scene.turn).matrix();
+  return matrix;
+}
+
 // The levels of one cell: its node, and its models by their names.
 Json Cell(const TilesetScene& scene, int col, const std::string& folder, std::map<std::string, std::string>& files) {
   const std::string name = TilesetScene::TileName(col), image = scene.image.empty() ? OnePixelPng() : scene.image;
@@ -137,7 +144,9 @@ Json Cell(const TilesetScene& scene, int col, const std::string& folder, std::ma
   }
   top["children"] = {middle};
   if (scene.place == TilesetScene::Place::kEarthCentred) {
-    top["transform"] = Numbers(TilesetScene::ToEarth());
+    top["transform"] = Numbers(TilesetScene::ToEarth() * TurnOf(scene));
+  } else if (scene.turn != 0) {
+    top["transform"] = Numbers(TurnOf(scene));
   }
   return top;
 }
@@ -173,6 +182,7 @@ std::map<std::string, std::string> TilesetScene::All() const {
     const Eigen::Vector3d middle = (ToEarth() * Eigen::Vector4d(64, 32, 2, 1)).head<3>();
     root["boundingVolume"] = {{"sphere", {middle.x(), middle.y(), middle.z(), 120}}};
   }
+  if (place != Place::kEarthCentred && turn != 0) root["boundingVolume"] = {{"sphere", {64, 32, 2, 120}}};
   for (const int col : {0, 1}) {
     const std::string folder = absl::StrCat("Data/", TileName(col), "/");
     std::map<std::string, std::string> own = OfTile(col);
@@ -180,7 +190,7 @@ std::map<std::string, std::string> TilesetScene::All() const {
       Json child = Json::parse(own.at(TileName(col) + ".json"))["root"];
       child.erase("children");
       child.erase("transform");
-      if (place == Place::kEarthCentred) child["boundingVolume"] = root["boundingVolume"];
+      if (place == Place::kEarthCentred || turn != 0) child["boundingVolume"] = root["boundingVolume"];
       child["content"] = {{"uri", absl::StrCat(folder, TileName(col), ".json")}};
       root["children"].push_back(child);
     } else {

@@ -27,6 +27,7 @@ struct TilesetScene {
   Files files = Files::kOne;
   Place place = Place::kLocal;
   std::string image = "";  // a PNG; empty: one of a white pixel
+  double turn = 0;         // radians by which the cells are turned about the vertical, by their tilesets' transforms
 
   // The files by their paths in the scene.
   std::map<std::string, std::string> All() const;

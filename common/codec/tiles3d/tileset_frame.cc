@@ -16,21 +16,34 @@ namespace {
 constexpr double kDeep = 6.33e6, kHigh = 6.4e6;
 // Of directions that are taken as the same: 1.4 cm at 1 km.
 constexpr double kSameDirection = 1e-10;
+constexpr double kSameAngle = 1.4e-5;                                    // radians: the same
 constexpr double kSemiMajor = 6378137, kFlattening = 1 / 298.257223563;  // WGS 84
 
 bool IsOnEarth(const Point3& p) { return p.norm() > kDeep && p.norm() < kHigh; }
 
-// The plane of an orthographic projection of the ellipsoid is that of the frame. With the datum, so that longitudes and
-// latitudes need no shift.
-std::string CrsAt(const Point3& geodetic) {
-  const double degree = 180 / std::numbers::pi;
-  return absl::StrFormat("+proj=ortho +lat_0=%.12g +lon_0=%.12g +datum=WGS84 +units=m +no_defs", geodetic.y() * degree,
-                         geodetic.x() * degree);
+// The plane of an orthographic projection of the ellipsoid is that of the frame. It has x to the east; with other axes,
+// a Mercator projection with a line of true scale through the origin is 1 cm off at 11 km. `angle`: of x against the
+// east, counter-clockwise. With the datum, so that longitudes and latitudes need no shift.
+std::string CrsAt(const Point3& geodetic, double angle) {
+  const double degree = 180 / std::numbers::pi, lat = geodetic.y() * degree, lon = geodetic.x() * degree;
+  if (std::abs(angle) < kSameAngle) {
+    return absl::StrFormat("+proj=ortho +lat_0=%.12g +lon_0=%.12g +datum=WGS84 +units=m +no_defs", lat, lon);
+  }
+  return absl::StrFormat(
+      "+proj=omerc +lat_0=%.12g +lonc=%.12g +alpha=45 +gamma=%.12g +k=1 +datum=WGS84 +units=m +no_defs", lat, lon,
+      45 + angle * degree);
 }
 
-void SetPlace(const Point3& geodetic, TilesetFrame& frame) {
-  frame.crs = CrsAt(geodetic);
+void SetPlace(const Point3& geodetic, double angle, TilesetFrame& frame) {
+  frame.crs = CrsAt(geodetic, angle);
   frame.height = geodetic.z();
+}
+
+// From a frame to one whose x axis is turned counter-clockwise against its own.
+Eigen::Matrix4d ToTurned(double turn) {
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+  if (turn != 0) matrix.topLeftCorner<3, 3>() = Eigen::AngleAxisd(-turn, Point3::UnitZ()).matrix();
+  return matrix;
 }
 
 // The middle of the root's volume in the frame of the root's parent.
@@ -43,7 +56,7 @@ Point3 MiddleOf(const TilesetTile& root) {
 }
 
 // If the root's transform puts a frame with z up onto the Earth.
-std::optional<TilesetFrame> RootsFrame(const TilesetTile& root) {
+std::optional<TilesetFrame> RootsFrame(const TilesetTile& root, double turn) {
   const Point3 origin = root.to_root.topRightCorner<3, 1>();
   const Eigen::Matrix3d axes = root.to_root.topLeftCorner<3, 3>();
   if (!IsOnEarth(origin)) return std::nullopt;
@@ -53,7 +66,8 @@ std::optional<TilesetFrame> RootsFrame(const TilesetTile& root) {
   if (!is_rigid || axes.col(2).dot(there.col(2)) < 1 - kSameDirection) return std::nullopt;
   TilesetFrame frame;
   frame.is_roots = true;
-  if (axes.col(0).dot(there.col(0)) >= 1 - kSameDirection) SetPlace(geodetic, frame);
+  frame.from_outer = ToTurned(turn);
+  SetPlace(geodetic, std::atan2(axes.col(0).dot(there.col(1)), axes.col(0).dot(there.col(0))) + turn, frame);
   return frame;
 }
 
@@ -76,23 +90,24 @@ Point3 EarthCentred(const Point3& geodetic) {
           (radius * (1 - squared) + height) * std::sin(lat)};
 }
 
-TilesetFrame FrameOf(const Tileset& tileset) {
+TilesetFrame FrameOf(const Tileset& tileset, double turn) {
   const TilesetTile& root = tileset.tiles.front();
   const Point3 middle = MiddleOf(root);
-  if (!IsOnEarth(middle)) return {};
-  if (const std::optional<TilesetFrame> frame = RootsFrame(root)) return *frame;
-  const Point3 geodetic = GeodeticOf(middle);
   TilesetFrame frame;
+  frame.from_outer = ToTurned(turn);
+  if (!IsOnEarth(middle)) return frame;
+  if (const std::optional<TilesetFrame> roots = RootsFrame(root, turn)) return *roots;
+  const Point3 geodetic = GeodeticOf(middle);
   Eigen::Matrix4d to_outer = Eigen::Matrix4d::Identity();
   to_outer.topLeftCorner<3, 3>() = AxesAt(geodetic);
   to_outer.topRightCorner<3, 1>() = middle;
-  frame.from_outer = to_outer.inverse();
-  SetPlace(geodetic, frame);
+  frame.from_outer = ToTurned(turn) * to_outer.inverse();
+  SetPlace(geodetic, turn, frame);
   return frame;
 }
 
 Eigen::Matrix4d ToScene(const TilesetFrame& frame, const TilesetTile& tile) {
-  return frame.is_roots ? tile.in_root : Eigen::Matrix4d(frame.from_outer * tile.to_root);
+  return frame.from_outer * (frame.is_roots ? tile.in_root : tile.to_root);
 }
 
 }  // namespace tilemend

@@ -15,14 +15,14 @@ namespace tilemend {
 //  - one at the middle of the root's volume, with x to the east and y to the north, for Earth-centred coordinates.
 // It is plane. What is level in it sinks below the ellipsoid by 8 cm at 1 km from its origin, and by 2 m at 5 km.
 struct TilesetFrame {
-  bool is_roots = false;                                     // that of the root tile; else:
-  Eigen::Matrix4d from_outer = Eigen::Matrix4d::Identity();  // from the frame of the root's parent to that of the scene
+  bool is_roots = false;                                     // that of the root tile, turned
+  Eigen::Matrix4d from_outer = Eigen::Matrix4d::Identity();  // from the frame of the root or of its parent
   std::string crs;    // its plane as a PROJ string, on the ellipsoid of WGS 84; empty: not known
   double height = 0;  // of its origin above that ellipsoid, metres; 0 without a crs
 };
 
-// Pure, O(1).
-TilesetFrame FrameOf(const Tileset& tileset);
+// That frame, with axes that are turned counter-clockwise by `turn`, radians. Pure, O(1).
+TilesetFrame FrameOf(const Tileset& tileset, double turn = 0);
 
 // From the frame of a tile to that of the scene, metres.
 Eigen::Matrix4d ToScene(const TilesetFrame& frame, const TilesetTile& tile);

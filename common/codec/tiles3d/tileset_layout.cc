@@ -63,9 +63,9 @@ std::vector<Point3> CornersOf(const TilesetTile& root) {
 
 }  // namespace
 
-absl::StatusOr<TilesetLayout> ReadTilesetLayout(const std::string& folder, const std::string& entry) {
+absl::StatusOr<TilesetLayout> ReadTilesetLayout(const std::string& folder, const std::string& entry, double turn) {
   TILEMEND_ASSIGN_OR_RETURN(const Tileset tileset, ReadAlone(folder, entry));
-  const TilesetFrame frame = FrameOf(tileset);
+  const TilesetFrame frame = FrameOf(tileset, turn);
   TilesetLayout layout{frame.crs, frame.height, {}, ""};
   for (const TilesetTile& tile : tileset.tiles) {
     if (tile.external.empty()) continue;

@@ -23,8 +23,9 @@ struct TilesetLayout {
 };
 
 // Reads the entry of a tileset, but no tileset that it names. They are parts of their own if they lie in folders of
-// their own and the entry itself has no model. Errors of ReadTileset, with the path. Linear in the entry.
-absl::StatusOr<TilesetLayout> ReadTilesetLayout(const std::string& folder, const std::string& entry);
+// their own and the entry itself has no model. `turn` as FrameOf takes it. Errors of ReadTileset, with the path. Linear
+// in the entry.
+absl::StatusOr<TilesetLayout> ReadTilesetLayout(const std::string& folder, const std::string& entry, double turn = 0);
 
 // The text of the entry with bounding volumes that hold the filled tilesets, which are in `written` where they differ
 // from those in `folder`. Both are folders that the paths of the entry are relative to. Tilesets that are not in

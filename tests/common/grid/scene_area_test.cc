@@ -24,7 +24,9 @@ Scene TwoCells() {
   return scene;
 }
 
-PlanePolygon Box(double x0, double y0, double x1, double y1) { return {{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}}}; }
+PlanePolygon Rectangle(double x0, double y0, double x1, double y1) {
+  return {{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}}};
+}
 
 std::vector<std::string> CellsOf(const Scene& scene) {
   std::vector<std::string> cells;
@@ -34,7 +36,7 @@ std::vector<std::string> CellsOf(const Scene& scene) {
 
 TEST(CoverAreaTest, AnAreaWithinTheCellsChangesNoCell) {
   Scene scene = TwoCells();
-  ASSERT_TRUE(CoverArea(Box(10, 10, 190, 90), scene).ok());
+  ASSERT_TRUE(CoverArea(Rectangle(10, 10, 190, 90), scene).ok());
   EXPECT_TRUE(scene.area_known);
   EXPECT_THAT(scene.area.rings, SizeIs(1));
   EXPECT_THAT(CellsOf(scene), ElementsAre("+000_+000a.ply", "+001_+000b.ply"));
@@ -43,7 +45,7 @@ TEST(CoverAreaTest, AnAreaWithinTheCellsChangesNoCell) {
 
 TEST(CoverAreaTest, SquaresThatItCoversBecomeCells) {
   Scene scene = TwoCells();
-  ASSERT_TRUE(CoverArea(Box(10, 10, 250, 150), scene).ok());
+  ASSERT_TRUE(CoverArea(Rectangle(10, 10, 250, 150), scene).ok());
   EXPECT_EQ(scene.cols, 3);
   EXPECT_EQ(scene.rows, 2);
   EXPECT_THAT(CellsOf(scene),
@@ -52,7 +54,7 @@ TEST(CoverAreaTest, SquaresThatItCoversBecomeCells) {
 
 TEST(CoverAreaTest, WhatItOnlyTouchesStaysOutside) {
   Scene scene = TwoCells();
-  ASSERT_TRUE(CoverArea(Box(-0.2, -0.2, 200.2, 100.2), scene).ok());
+  ASSERT_TRUE(CoverArea(Rectangle(-0.2, -0.2, 200.2, 100.2), scene).ok());
   EXPECT_THAT(scene.tiles, SizeIs(2));
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("less than 1 % of")));
 }
@@ -60,7 +62,7 @@ TEST(CoverAreaTest, WhatItOnlyTouchesStaysOutside) {
 TEST(CoverAreaTest, SaysHowLittleItCovers) {
   for (const double width : {0.0001, 1.9, 2.1}) {
     Scene scene = TwoCells();
-    ASSERT_TRUE(CoverArea(Box(50, 0, 50 + width, 100), scene).ok());
+    ASSERT_TRUE(CoverArea(Rectangle(50, 0, 50 + width, 100), scene).ok());
     EXPECT_THAT(scene.warnings, SizeIs(width < 2 ? 1 : 0)) << width;
     if (width < 1) {
       EXPECT_THAT(scene.warnings[0], HasSubstr("covers 0.01 m2 of the 20000 m2 of the scene's cells"));
@@ -71,7 +73,7 @@ TEST(CoverAreaTest, SaysHowLittleItCovers) {
 TEST(CoverAreaTest, SmallAreasAreSaidAsTheyAre) {
   for (const double side : {1.0, 5.0, 10.0, 14.0}) {
     Scene scene = TwoCells();
-    ASSERT_TRUE(CoverArea(Box(41, 53, 41 + side, 53 + side), scene).ok()) << side;
+    ASSERT_TRUE(CoverArea(Rectangle(41, 53, 41 + side, 53 + side), scene).ok()) << side;
     const std::string square = std::to_string(static_cast<int>(side * side));
     EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("small: it covers " + square + ".00 m2 of the 20000 m2")))
         << side;
@@ -80,14 +82,14 @@ TEST(CoverAreaTest, SmallAreasAreSaidAsTheyAre) {
 
 TEST(CoverAreaTest, WhatHasNoExtentIsTooSmall) {
   Scene scene = TwoCells();
-  const absl::Status status = CoverArea(Box(5, 5, 5, 9), scene);
+  const absl::Status status = CoverArea(Rectangle(5, 5, 5, 9), scene);
   EXPECT_THAT(std::string(status.message()), HasSubstr("too small"));
 }
 
 TEST(CoverAreaTest, SaysHowMuchLiesInCellsWithoutATile) {
   for (const double beyond : {60.0, 70.0}) {
     Scene scene = TwoCells();
-    ASSERT_TRUE(CoverArea(Box(0, 0, 200 + beyond, 100), scene).ok());
+    ASSERT_TRUE(CoverArea(Rectangle(0, 0, 200 + beyond, 100), scene).ok());
     ASSERT_THAT(scene.warnings, SizeIs(beyond < 66 ? 0 : 1)) << beyond;
     if (beyond < 66) continue;
     EXPECT_THAT(scene.warnings[0], HasSubstr("26 % of the area (7000 of 27000 m2) lies in cells that have no tile"));
@@ -98,19 +100,19 @@ TEST(CoverAreaTest, SaysHowMuchLiesInCellsWithoutATile) {
 TEST(CoverAreaTest, CellsThatTheSceneListsWithoutATileAreMeant) {
   Scene scene = TwoCells();
   scene.tiles[1].path = "";
-  ASSERT_TRUE(CoverArea(Box(0, 10, 200, 90), scene).ok());
+  ASSERT_TRUE(CoverArea(Rectangle(0, 10, 200, 90), scene).ok());
   EXPECT_THAT(scene.warnings, IsEmpty());
 }
 
 TEST(CoverAreaTest, RoundingMakesNoSlivers) {
   Scene scene = TwoCells();
-  ASSERT_TRUE(CoverArea(Box(-1e-9, -1e-9, 200 + 1e-9, 100 + 1e-9), scene).ok());
+  ASSERT_TRUE(CoverArea(Rectangle(-1e-9, -1e-9, 200 + 1e-9, 100 + 1e-9), scene).ok());
   EXPECT_THAT(scene.warnings, IsEmpty());
 }
 
 TEST(CoverAreaTest, BeyondTheGridsCornerTheNumberingIsShifted) {
   Scene scene = TwoCells();
-  ASSERT_TRUE(CoverArea(Box(-150, 10, 190, 90), scene).ok());
+  ASSERT_TRUE(CoverArea(Rectangle(-150, 10, 190, 90), scene).ok());
   EXPECT_EQ(scene.grid.corner, Point2(-200, 0));
   EXPECT_EQ(scene.cols, 4);
   EXPECT_THAT(CellsOf(scene), ElementsAre("+000_+000", "+001_+000", "+002_+000a.ply", "+003_+000b.ply"));
@@ -122,7 +124,7 @@ TEST(CoverAreaTest, FilesOfNewCellsAreNumberedAsThoseOfTheTiles) {
   Scene scene = TwoCells();
   scene.tiles[0].path = "tiles/Tile_+000_+000.ply";
   scene.tiles[1].path = "tiles/Tile_+001_+000.ply";
-  ASSERT_TRUE(CoverArea(Box(-90, 0, 200, 100), scene).ok());
+  ASSERT_TRUE(CoverArea(Rectangle(-90, 0, 200, 100), scene).ok());
   ASSERT_THAT(scene.tiles, SizeIs(3));
   EXPECT_EQ(scene.tiles[0].cell, (CellId{0, 0}));
   EXPECT_EQ(OutputPath(scene.tiles[0]), "tiles/Tile_-001_+000.ply");
@@ -132,18 +134,18 @@ TEST(CoverAreaTest, FilesOfNewCellsAreNumberedAsThoseOfTheTiles) {
 
 TEST(CoverAreaTest, AnAreaOfWholeCellsIsTheCells) {
   Scene scene = TwoCells();
-  ASSERT_TRUE(CoverArea(Box(-0.3, -0.3, 300, 100.3), scene).ok());
+  ASSERT_TRUE(CoverArea(Rectangle(-0.3, -0.3, 300, 100.3), scene).ok());
   EXPECT_TRUE(scene.area.empty());
   EXPECT_TRUE(scene.area_known);
   EXPECT_THAT(scene.tiles, SizeIs(3));
-  ASSERT_TRUE(CoverArea(Box(0, 0, 290, 100), scene).ok());
+  ASSERT_TRUE(CoverArea(Rectangle(0, 0, 290, 100), scene).ok());
   EXPECT_FALSE(scene.area.empty());
 }
 
 TEST(CoverAreaTest, AnOpeningOfTheAreaMakesNoCells) {
   Scene scene = TwoCells();
-  PlanePolygon frame = Box(0, 0, 500, 500);
-  frame.rings.push_back(Box(200, 0, 500, 500).rings[0]);
+  PlanePolygon frame = Rectangle(0, 0, 500, 500);
+  frame.rings.push_back(Rectangle(200, 0, 500, 500).rings[0]);
   ASSERT_TRUE(CoverArea(frame, scene).ok());
   EXPECT_EQ(scene.cols, 2);
   EXPECT_EQ(scene.rows, 5);
@@ -153,13 +155,14 @@ TEST(CoverAreaTest, AnOpeningOfTheAreaMakesNoCells) {
 TEST(CoverAreaTest, ANameThatAnotherTileHasIsRefused) {
   Scene scene = TwoCells();
   scene.tiles[0].path = "tiles/Tile_-001_+000.ply";
-  const absl::Status status = CoverArea(Box(-90, 10, 190, 90), scene);
+  const absl::Status status = CoverArea(Rectangle(-90, 10, 190, 90), scene);
   EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
   EXPECT_THAT(std::string(status.message()), HasSubstr("tiles/Tile_-001_+000.ply"));
 }
 
 TEST(CoverAreaTest, AnAreaOfAnotherPlaceIsRefused) {
-  for (const PlanePolygon& area : {Box(0, 0, 1e9, 1e9), Box(1e9, 1e9, 1e9 + 1, 1e9 + 1), Box(5, 5, 5, 9)}) {
+  for (const PlanePolygon& area :
+       {Rectangle(0, 0, 1e9, 1e9), Rectangle(1e9, 1e9, 1e9 + 1, 1e9 + 1), Rectangle(5, 5, 5, 9)}) {
     Scene scene = TwoCells();
     const absl::Status status = CoverArea(area, scene);
     EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
@@ -169,7 +172,7 @@ TEST(CoverAreaTest, AnAreaOfAnotherPlaceIsRefused) {
 
 TEST(CoverAreaTest, AnAreaBesideTheSceneIsRefused) {
   Scene scene = TwoCells();
-  const absl::Status status = CoverArea(Box(310, 10, 490, 90), scene);
+  const absl::Status status = CoverArea(Rectangle(310, 10, 490, 90), scene);
   EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
   EXPECT_THAT(std::string(status.message()), HasSubstr("covers no cell of the scene"));
   EXPECT_THAT(scene.tiles, SizeIs(2));
@@ -177,7 +180,7 @@ TEST(CoverAreaTest, AnAreaBesideTheSceneIsRefused) {
 
 TEST(CoverAreaTest, AnAreaThatIsMuchLargerThanTheSceneIsRefused) {
   Scene scene = TwoCells();
-  const absl::Status status = CoverArea(Box(0, 0, 50000, 50000), scene);
+  const absl::Status status = CoverArea(Rectangle(0, 0, 50000, 50000), scene);
   EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
   EXPECT_THAT(std::string(status.message()), HasSubstr("adds 249998 cells without a tile to 2"));
   EXPECT_THAT(scene.tiles, SizeIs(2));

@@ -22,13 +22,14 @@ constexpr char kMetadata[] = R"(<?xml version="1.0" encoding="UTF-8"?>
   </SRS><SRSOrigin>501027.524000,2488718.808000,0.000000</SRSOrigin></ModelMetadata>)";
 
 // These tests' tiles are files with their bounds as text: "x0 y0 x1 y1".
-absl::StatusOr<Box> TextBounds(const std::string& path) {
+absl::StatusOr<ConvexHull> TextBounds(const std::string& path, const TileFrame& frame) {
+  EXPECT_TRUE(frame.empty());
   const std::string text = ReadFile(path).value();
-  Box box;
-  if (std::sscanf(text.c_str(), "%lf %lf %lf %lf", &box.lo.x(), &box.lo.y(), &box.hi.x(), &box.hi.y()) != 4) {
+  Point2 lo, hi;
+  if (std::sscanf(text.c_str(), "%lf %lf %lf %lf", &lo.x(), &lo.y(), &hi.x(), &hi.y()) != 4) {
     return absl::InvalidArgumentError(path + ": no bounds");
   }
-  return box;
+  return ConvexHull{lo, {hi.x(), lo.y()}, hi, {lo.x(), hi.y()}};
 }
 
 class SceneFolderTest : public testing::Test {
@@ -169,6 +170,18 @@ TEST_F(SceneFolderTest, SaysWhatItFoundInPlaceOfTiles) {
   folder_.Write("Tile_+000_+014_L19.jpg", "?");
   folder_.Write("notes.gz", "?");
   ExpectError(absl::StatusCode::kNotFound, "; found 2 files such as Tile_+000_+014_L19.obj: unpack or rename them");
+}
+
+TEST_F(SceneFolderTest, LooksAtFewOfManyTiles) {
+  for (int i = 0; i < 60; ++i) {
+    WriteTile(absl::StrCat("Tile_+00", i % 10, "_+00", i / 10, ".ply"), i % 10, i / 10);
+  }
+  const auto scene = Load();
+  ASSERT_TRUE(scene.ok()) << scene.status();
+  EXPECT_EQ(scene->tiles.size(), 60U);
+  EXPECT_EQ(scene->grid.cell_size, Point2(100, 100));
+  EXPECT_EQ(scene->grid.corner, Point2(0, 0));
+  EXPECT_THAT(scene->warnings.back(), HasSubstr("bounds of 14 of 60 tiles: cell size 100 x 100"));
 }
 
 TEST_F(SceneFolderTest, PassesTheReadersErrorOn) {

@@ -23,9 +23,9 @@ constexpr char kScene[] =
  "tiles": [{"col": 1, "row": 1, "path": null}, {"col": 0, "row": 0, "path": "tiles/a.ply"},
            {"col": 1, "row": 0, "path": "./tiles/b.OBJ", "note": 1}]})";
 
-absl::StatusOr<Box> NoBounds(const std::string& path) {
+absl::StatusOr<ConvexHull> NoBounds(const std::string& path, const TileFrame&) {
   ADD_FAILURE() << "a scene with scene.json reads no mesh, but read " << path;
-  return Box{};
+  return ConvexHull();
 }
 
 class SceneJsonTest : public testing::Test {

@@ -1,11 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "absl/strings/str_cat.h"
 #include "common/grid/scene.h"
 #include "common/grid/scene_sources.h"
 #include "tests/support/temporary_folder.h"
@@ -19,15 +23,27 @@ constexpr char kTileset[] = R"({"asset": {"version": "1.1"}, "root": {}})";
 
 class SceneTilesetTest : public testing::Test {
  protected:
+  static ConvexHull Square(const Point2& lo, const Point2& hi) { return {lo, {hi.x(), lo.y()}, hi, {lo.x(), hi.y()}}; }
   // A tile of 100 m with an overlap of 1 m.
   void Add(const std::string& path, int col, int row) {
-    tiles_.tiles.push_back(
-        {path, TileFrame(16, col), {{100.0 * col - 1, 100.0 * row - 1, 0}, {100.0 * col + 101, 100.0 * row + 101, 9}}});
+    tiles_.tiles.push_back({path, TileFrame(16, col)});
+    hulls_[path] = Square({100.0 * col - 1, 100.0 * row - 1}, {100.0 * col + 101, 100.0 * row + 101});
+  }
+  // Turns what is there about the origin.
+  void Turn(double angle) {
+    for (auto& [path, hull] : hulls_) {
+      for (Point2& p : hull) p = Eigen::Rotation2Dd(angle) * p;
+    }
   }
   absl::StatusOr<Scene> Load(const std::string& path) {
-    return LoadScene(path, nullptr, [&](const std::string& folder, const std::string& entry) {
+    const auto read_hull = [&](const std::string& file, const TileFrame&) -> absl::StatusOr<ConvexHull> {
+      return hulls_.at(std::filesystem::path(file).lexically_relative(folder_.path()).string());
+    };
+    turn_ = 0;
+    return LoadScene(path, read_hull, [&](const std::string& folder, const std::string& entry, double turn) {
       EXPECT_EQ(folder, folder_.path());
       EXPECT_EQ(entry, entry_);
+      turn_ = turn;
       return tiles_;
     });
   }
@@ -36,12 +52,15 @@ class SceneTilesetTest : public testing::Test {
   const TemporaryFolder folder_;
   std::string entry_ = "tileset.json";
   TilesetTiles tiles_;
+  std::map<std::string, ConvexHull> hulls_;
+  double turn_ = 0;  // that the tileset was last read with
 };
 
 TEST_F(SceneTilesetTest, ATilesetWithoutOthersIsOneCell) {
   folder_.Write("tileset.json", kTileset);
   folder_.Write("Data/Tile_+000_+001.ply", "not looked at");
-  tiles_ = {"+proj=ortho", 50, {{"tileset.json", {}, {{-3.5, 10, 0}, {96.2, 10.5, 7}}}}, "why"};
+  tiles_ = {"+proj=ortho", 50, {{"tileset.json", {}}}, "why"};
+  hulls_["tileset.json"] = Square({-3.5, 10}, {96.2, 10.5});
   const auto scene = Load(folder_.path());
   ASSERT_TRUE(scene.ok()) << scene.status();
   ASSERT_EQ(scene->tiles.size(), 1u);
@@ -89,8 +108,48 @@ TEST_F(SceneTilesetTest, TilesetsWithOtherNamesAreCellsByTheirPlaces) {
   EXPECT_EQ(scene->tiles[2].path, "Data/a/tileset.json");
   EXPECT_EQ(scene->tiles[2].cell, (CellId{1, 1}));
   EXPECT_EQ(scene->cols, 2);
-  tiles_.tiles[1].bounds = tiles_.tiles[0].bounds;
+  hulls_[tiles_.tiles[1].path] = hulls_[tiles_.tiles[0].path];
   EXPECT_THAT(Problem(), HasSubstr("are both in cell +001_+001; the tilesets have to lie in a regular plane grid"));
+}
+
+TEST_F(SceneTilesetTest, TheScenesAxesAreThoseOfTheCut) {
+  folder_.Write("tileset.json", kTileset);
+  for (int i = 0; i < 6; ++i) Add(absl::StrCat("Data/Tile_p00", i % 2, "_p00", i / 2, "/t.json"), i % 2, i / 2);
+  hulls_.begin()->second.erase(hulls_.begin()->second.begin());  // a tile at the edge of the survey
+  Turn(0.02);
+  const auto scene = Load(folder_.path());
+  ASSERT_TRUE(scene.ok()) << scene.status();
+  EXPECT_NEAR(turn_, 0.02, 1e-9);
+  EXPECT_EQ(scene->grid.cell_size, Point2(100, 100));
+  EXPECT_LT((scene->grid.corner - Point2(0, 0)).norm(), 1e-6);
+  EXPECT_THAT(scene->warnings[0],
+              HasSubstr("tileset.json: its tiles were cut along axes that are turned by 1.146 degrees"));
+}
+
+TEST_F(SceneTilesetTest, TilesetsWithOtherNamesMayBeTurned) {
+  folder_.Write("tileset.json", kTileset);
+  for (int i = 0; i < 60; ++i) Add(absl::StrCat("Data/", i, "/t.json"), i % 30, i / 30);
+  Turn(-0.05);
+  const auto scene = Load(folder_.path());
+  ASSERT_TRUE(scene.ok()) << scene.status();
+  EXPECT_NEAR(turn_, -0.05, 1e-9);
+  EXPECT_EQ(scene->cols, 30);
+  EXPECT_EQ(scene->rows, 2);
+}
+
+TEST_F(SceneTilesetTest, TheEdgeOfASurveyTurnsNothing) {
+  folder_.Write("tileset.json", kTileset);
+  for (int i = 0; i < 3; ++i) {
+    const std::string path = absl::StrCat("Data/Tile_p000_p00", i, "/t.json");
+    Add(path, 0, i);
+    // The surveyed area is a band that lies askew.
+    const double lo = 100 * i - 1, hi = 100 * i + 101;
+    hulls_[path] = {{40 + 0.1 * lo, lo}, {60 + 0.1 * lo, lo}, {60 + 0.1 * hi, hi}, {40 + 0.1 * hi, hi}};
+  }
+  const auto scene = Load(folder_.path());
+  ASSERT_TRUE(scene.ok()) << scene.status();
+  EXPECT_EQ(turn_, 0);
+  EXPECT_EQ(scene->warnings.size(), 1U);
 }
 
 TEST_F(SceneTilesetTest, RefusesWhatIsNoGrid) {
@@ -117,7 +176,8 @@ TEST_F(SceneTilesetTest, FindsTheEntry) {
 
 TEST_F(SceneTilesetTest, ErrorsOfTheTilesetAreThoseOfTheScene) {
   folder_.Write("tileset.json", "{}");
-  const auto scene = LoadScene(folder_.path(), nullptr, [](const std::string&, const std::string&) {
+  const auto hull = [](const std::string&, const TileFrame&) { return ConvexHull(); };
+  const auto scene = LoadScene(folder_.path(), hull, [](const std::string&, const std::string&, double) {
     return absl::InvalidArgumentError("bad");
   });
   EXPECT_EQ(scene.status(), absl::InvalidArgumentError("bad"));

@@ -18,8 +18,9 @@ namespace {
 std::map<Stage, std::vector<std::string>> InputsOf(const std::string& folder) {
   JobSpec spec = WithDefaults({});
   spec.set_scene(folder);
-  SceneWaves waves(LoadScene(folder, [](const std::string&) { return absl::UnimplementedError(""); }).value(),
-                   WaveOptionsOf(spec, {}, [] { return false; }));
+  SceneWaves waves(
+      LoadScene(folder, [](const std::string&, const TileFrame&) { return absl::UnimplementedError(""); }).value(),
+      WaveOptionsOf(spec, {}, [] { return false; }));
   SceneTasks tasks(spec, waves, nullptr, ScratchFile::Create("").value());
   std::map<Stage, std::vector<std::string>> inputs;
   std::vector<NewTask> open;
@@ -67,8 +68,10 @@ TEST(SceneTasksTest, AClusterThatWasNotAskedForIsNoResult) {
   const TemporaryFolder folder;
   WriteMade(SmallScene(Cut::kClipped), folder.path());
   JobSpec spec = WithDefaults({});
-  SceneWaves waves(LoadScene(folder.path(), [](const std::string&) { return absl::UnimplementedError(""); }).value(),
-                   WaveOptionsOf(spec, {}, [] { return false; }));
+  SceneWaves waves(
+      LoadScene(folder.path(), [](const std::string&, const TileFrame&) { return absl::UnimplementedError(""); })
+          .value(),
+      WaveOptionsOf(spec, {}, [] { return false; }));
   SceneTasks tasks(spec, waves, nullptr, ScratchFile::Create("").value());
   EXPECT_TRUE(absl::IsInternal(tasks.Take({{0, 0}, Stage::kSampleCluster, "", v1::SampleClusterOutput(), {}})));
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/grid/tile_hulls.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/tileset_scene.h"
 
@@ -48,32 +49,39 @@ TEST_F(CheckInsideCellTest, NamesTheFileAndBothExtents) {
                         "cell x 120 to 130, y 210 to 220"));
 }
 
-TEST(ReadTileBoundsTest, GivesTheExtentOfTheVertices) {
+TEST(ReadTileHullTest, GivesTheOutermostVertices) {
   const TemporaryFolder folder;
-  const auto box = ReadTileBounds(folder.Write("a.obj", "v 3 0 -2\nv 1 5 0\nv 2 2 7\nf 1 2 3\n"));
-  ASSERT_TRUE(box.ok()) << box.status();
-  EXPECT_EQ(box->lo, Point3(1, 0, -2));
-  EXPECT_EQ(box->hi, Point3(3, 5, 7));
+  const auto hull =
+      ReadTileHull(folder.Write("a.obj", "v 3 0 -2\nv 1 5 0\nv 2 3 7\nv 2.5 3 7\nf 1 2 3\nf 1 3 4\n"), {});
+  ASSERT_TRUE(hull.ok()) << hull.status();
+  EXPECT_THAT(*hull, testing::ElementsAre(Point2(1, 5), Point2(3, 0), Point2(2.5, 3)));
 }
 
-TEST(ReadTilesetsTest, GivesTheTilesetsWithTheirBounds) {
+TEST(ReadTilesetsTest, GivesTheTilesetsInTheFrameOfTheScene) {
   const TemporaryFolder folder;
   const TilesetScene scene{.files = TilesetScene::Files::kOfTiles, .place = TilesetScene::Place::kEarthCentred};
   for (const auto& [path, bytes] : scene.All()) folder.Write(path, bytes);
-  const auto tilesets = ReadTilesets(folder.path(), "tileset.json");
+  const auto tilesets = ReadTilesets(folder.path(), "tileset.json", 0);
   ASSERT_TRUE(tilesets.ok()) << tilesets.status();
   ASSERT_EQ(tilesets->tiles.size(), 2U);
   EXPECT_EQ(tilesets->tiles[1].path, "Data/Tile_p001_p000/Tile_p001_p000.json");
   EXPECT_EQ(tilesets->tiles[1].frame.size(), 16U);
   // The middle of the scene is the origin.
-  EXPECT_NEAR(tilesets->tiles[0].bounds.lo.x(), -64.5, 0.01);
-  EXPECT_NEAR(tilesets->tiles[1].bounds.hi.y(), 32.5, 0.01);
-  EXPECT_TRUE(absl::IsNotFound(ReadTilesets(folder.path(), "none.json").status()));
+  const auto bounds = [&](const TilesetTiles& of, int tile, double turn) {
+    return BoundsOf(ReadTileHull(folder / of.tiles[tile].path, of.tiles[tile].frame).value(), turn);
+  };
+  EXPECT_NEAR(bounds(*tilesets, 0, 0).lo.x(), -64.5, 0.01);
+  EXPECT_NEAR(bounds(*tilesets, 1, 0).hi.y(), 32.5, 0.01);
+  const auto turned = ReadTilesets(folder.path(), "tileset.json", 0.2);
+  ASSERT_TRUE(turned.ok()) << turned.status();
+  EXPECT_NEAR(bounds(*turned, 0, 0).lo.x(), bounds(*tilesets, 0, 0.2).lo.x(), 1e-6);
+  EXPECT_NEAR(bounds(*turned, 1, 0).hi.y(), bounds(*tilesets, 1, 0.2).hi.y(), 1e-6);
+  EXPECT_TRUE(absl::IsNotFound(ReadTilesets(folder.path(), "none.json", 0).status()));
 }
 
-TEST(ReadTileBoundsTest, NamesAFileThatIsNotThere) {
+TEST(ReadTileHullTest, NamesAFileThatIsNotThere) {
   const TemporaryFolder folder;
-  const absl::Status status = ReadTileBounds(folder / "none.ply").status();
+  const absl::Status status = ReadTileHull(folder / "none.ply", {}).status();
   EXPECT_TRUE(absl::IsNotFound(status)) << status;
   EXPECT_THAT(std::string(status.message()), HasSubstr("none.ply"));
 }

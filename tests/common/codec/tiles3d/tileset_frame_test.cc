@@ -33,13 +33,13 @@ TEST(TilesetFrameTest, ARootOnTheEarthGivesItsOwnFrameToTheBit) {
   EXPECT_EQ(frame.height, GeodeticOf(origin).z());
 }
 
-TEST(TilesetFrameTest, ARootTurnedAboutTheVerticalHasNoCrs) {
+TEST(TilesetFrameTest, ARootTurnedAboutTheVerticalHasACrsThatIsTurned) {
   Tileset tileset = TilesetOf({.place = TilesetScene::Place::kOnEarth});
   Eigen::Matrix4d turn = Eigen::Matrix4d::Identity();
   turn.topLeftCorner<3, 3>() = Eigen::AngleAxisd(0.3, Point3::UnitZ()).matrix();
   tileset.tiles[0].to_root = tileset.tiles[0].to_root * turn;
   EXPECT_TRUE(FrameOf(tileset).is_roots);
-  EXPECT_EQ(FrameOf(tileset).crs, "");
+  EXPECT_THAT(FrameOf(tileset).crs, HasSubstr("+proj=omerc +lat_0=50 +lonc=8 +alpha=45 +gamma=62.188733"));
   turn.topLeftCorner<3, 3>() = Eigen::AngleAxisd(0.3, Point3::UnitX()).matrix();
   tileset.tiles[0].to_root = tileset.tiles[0].to_root * turn;
   EXPECT_FALSE(FrameOf(tileset).is_roots) << "z is not up";
@@ -56,6 +56,17 @@ TEST(TilesetFrameTest, EarthCentredTilesAreTurnedUpright) {
   const Point3 east = Moved(ToScene(frame, tileset.tiles.back()), {65, 32, 2});
   EXPECT_NEAR((east - Point3(1, 0, 0)).norm(), 0, 1e-4);
   EXPECT_THAT(frame.crs, HasSubstr("+lat_0=50.000"));
+}
+
+TEST(TilesetFrameTest, AxesAreTurned) {
+  for (const auto place :
+       {TilesetScene::Place::kLocal, TilesetScene::Place::kOnEarth, TilesetScene::Place::kEarthCentred}) {
+    const Tileset tileset = TilesetOf({.place = place});
+    Eigen::Matrix4d turn = Eigen::Matrix4d::Identity();
+    turn.topLeftCorner<3, 3>() = Eigen::AngleAxisd(-0.3, Point3::UnitZ()).matrix();
+    const Eigen::Matrix4d expected = turn * ToScene(FrameOf(tileset), tileset.tiles.back());
+    EXPECT_LT((ToScene(FrameOf(tileset, 0.3), tileset.tiles.back()) - expected).norm(), 1e-8);
+  }
 }
 
 TEST(TilesetFrameTest, ARegionLiesOnTheEarth) {
