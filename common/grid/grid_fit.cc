@@ -106,22 +106,19 @@ double Corner(int axis, double pitch, const std::vector<PlacedTile>& tiles) {
   return RoundSensibly(Summarise(corners), pitch);
 }
 
-// The share of the tile's extent along `axis` that lies in its cell.
-double ShareInside(const PlacedTile& tile, const Grid& grid, int axis) {
-  const double begin = grid.corner[axis] + Index(tile, axis) * grid.cell_size[axis];
-  const double end = begin + grid.cell_size[axis];
-  // A tile without extent (a vertical wall) is inside or not.
-  const double extent = std::max(High(tile, axis) - Low(tile, axis), kNumberNoise * grid.cell_size[axis]);
-  return std::clamp((std::min(end, Low(tile, axis) + extent) - std::max(begin, Low(tile, axis))) / extent, 0.0, 1.0);
-}
-
 absl::Status CheckTile(const PlacedTile& tile, const Grid& grid) {
-  if (ShareInside(tile, grid, 0) * ShareInside(tile, grid, 1) >= 0.5) return absl::OkStatus();
-  return absl::InvalidArgumentError(
-      absl::StrFormat("%s: lies mostly outside cell %s of the grid that was found from the other tiles (cell size %g x "
-                      "%g, corner %g, %g): its bounds are x %.3f to %.3f, y %.3f to %.3f",
-                      tile.name, ToString(tile.cell), grid.cell_size.x(), grid.cell_size.y(), grid.corner.x(),
-                      grid.corner.y(), Low(tile, 0), High(tile, 0), Low(tile, 1), High(tile, 1)));
+  bool is_inside = true;
+  for (const int axis : {0, 1}) {
+    const double size = grid.cell_size[axis], begin = grid.corner[axis] + Index(tile, axis) * size;
+    is_inside = is_inside && Low(tile, axis) >= begin - kReachBeyondCell * size &&
+                High(tile, axis) <= begin + (1 + kReachBeyondCell) * size;
+  }
+  if (is_inside) return absl::OkStatus();
+  return absl::InvalidArgumentError(absl::StrFormat(
+      "%s: reaches more than a quarter of a cell beyond cell %s of the grid that was found from the other tiles (cell "
+      "size %g x %g, corner %g, %g): its bounds are x %.3f to %.3f, y %.3f to %.3f",
+      tile.name, ToString(tile.cell), grid.cell_size.x(), grid.cell_size.y(), grid.corner.x(), grid.corner.y(),
+      Low(tile, 0), High(tile, 0), Low(tile, 1), High(tile, 1)));
 }
 
 // The pitch along each axis; 0 where there is one column (row) only.
@@ -141,6 +138,21 @@ absl::StatusOr<Point2> Pitches(std::vector<PlacedTile>* tiles) {
   return pitch;
 }
 
+// The size of the only column (row). `other`: the pitch along the other axis, or 0.
+double SizeOfOne(int axis, double other, const std::vector<PlacedTile>& tiles) {
+  const Estimate extent = Extent(axis, tiles);
+  double lowest = INFINITY, highest = -INFINITY;
+  for (const PlacedTile& tile : tiles) {
+    lowest = std::min(lowest, Low(tile, axis));
+    highest = std::max(highest, High(tile, axis));
+  }
+  // A survey that lies askew has less than a cell in each tile, and not at the same place.
+  const double all = highest - lowest;
+  const bool is_askew = all > (1 + kSquareTolerance) * extent.value && all <= (1 + kSquareTolerance) * other;
+  const bool is_square = is_askew || std::abs(extent.value - other) <= kSquareTolerance * other;
+  return is_square ? other : RoundSensibly(extent, extent.value);
+}
+
 }  // namespace
 
 absl::StatusOr<Grid> FitGrid(std::vector<PlacedTile> tiles) {
@@ -151,9 +163,7 @@ absl::StatusOr<Grid> FitGrid(std::vector<PlacedTile> tiles) {
     double& size = grid.cell_size[axis];
     size = (*pitch)[axis];
     if (size == 0) {
-      const Estimate extent = Extent(axis, tiles);
-      const double other = (*pitch)[1 - axis];
-      size = std::abs(extent.value - other) <= kSquareTolerance * other ? other : RoundSensibly(extent, extent.value);
+      size = SizeOfOne(axis, (*pitch)[1 - axis], tiles);
     }
     if (!(size > 0) || !std::isfinite(size)) {
       return absl::InvalidArgumentError(absl::StrCat(tiles.front().name, ": the tiles have no extent along ",

@@ -7,17 +7,11 @@
 #include "absl/strings/str_format.h"
 #include "common/codec/mesh_file.h"
 #include "common/codec/tiles3d/tileset_layout.h"
+#include "common/grid/grid_fit.h"
 #include "common/grid/tile_hulls.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
-namespace {
-
-// A tile may reach this share of a cell beyond its own cell: whole triangles on a ragged cut, overlap of neighbours.
-constexpr double kReachBeyondCell = 0.25;
-
-}  // namespace
-
 absl::StatusOr<ConvexHull> ReadTileHull(const std::string& path, const TileFrame& frame) {
   TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ReadMeshFile(path, frame));
   std::vector<Point2> points;

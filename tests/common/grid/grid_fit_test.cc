@@ -97,7 +97,18 @@ TEST(FitGridTest, NamesTheTileThatContradictsTheOthers) {
   tiles[4].bounds.hi.x() += 1000;
   const absl::Status status = FitGrid(tiles).status();
   EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument);
-  EXPECT_THAT(std::string(status.message()), HasSubstr("Tile_+001_+001: lies mostly outside cell +001_+001"));
+  EXPECT_THAT(std::string(status.message()),
+              HasSubstr("Tile_+001_+001: reaches more than a quarter of a cell beyond cell +001_+001"));
+}
+
+TEST(FitGridTest, TakesATileThatHasLittleMoreThanItsOverlap) {
+  std::vector<PlacedTile> tiles = Tiles(4, 4, {100, 100});
+  for (PlacedTile& tile : tiles) {
+    tile.bounds.lo -= Point3(0.5, 0.5, 0);
+    tile.bounds.hi += Point3(0.5, 0.5, 0);
+  }
+  tiles.back().bounds.hi.x() = 300.2;  // at the edge of the survey
+  ExpectGrid(tiles, {100, 100}, {0, 0});
 }
 
 TEST(FitGridTest, RefusesIndicesThatRunBackwards) {

@@ -173,15 +173,15 @@ TEST_F(SceneFolderTest, SaysWhatItFoundInPlaceOfTiles) {
 }
 
 TEST_F(SceneFolderTest, LooksAtFewOfManyTiles) {
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 90; ++i) {
     WriteTile(absl::StrCat("Tile_+00", i % 10, "_+00", i / 10, ".ply"), i % 10, i / 10);
   }
   const auto scene = Load();
   ASSERT_TRUE(scene.ok()) << scene.status();
-  EXPECT_EQ(scene->tiles.size(), 60U);
+  EXPECT_EQ(scene->tiles.size(), 90U);
   EXPECT_EQ(scene->grid.cell_size, Point2(100, 100));
   EXPECT_EQ(scene->grid.corner, Point2(0, 0));
-  EXPECT_THAT(scene->warnings.back(), HasSubstr("bounds of 14 of 60 tiles: cell size 100 x 100"));
+  EXPECT_THAT(scene->warnings.back(), HasSubstr("bounds of 37 of 90 tiles: cell size 100 x 100"));
 }
 
 TEST_F(SceneFolderTest, PassesTheReadersErrorOn) {
@@ -192,7 +192,8 @@ TEST_F(SceneFolderTest, PassesTheReadersErrorOn) {
 TEST_F(SceneFolderTest, NamesTheTileThatContradictsTheGrid) {
   for (int i = 0; i < 4; ++i) WriteTile(absl::StrCat("Tile_+00", i, "_+000.ply"), i, 0);
   WriteTile("Tile_+004_+000.ply", 2, 0);
-  ExpectError(absl::StatusCode::kInvalidArgument, "Tile_+004_+000.ply: lies mostly outside cell +004_+000");
+  ExpectError(absl::StatusCode::kInvalidArgument,
+              "Tile_+004_+000.ply: reaches more than a quarter of a cell beyond cell +004_+000");
 }
 
 TEST_F(SceneFolderTest, WarnsOfMetadataWithoutACrs) {
