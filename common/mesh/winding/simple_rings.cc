@@ -1,7 +1,9 @@
 #include "common/mesh/winding/simple_rings.h"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
+#include <utility>
 
 #include "common/mesh/edge_loops.h"
 #include "common/mesh/lattice.h"
@@ -84,24 +86,80 @@ std::vector<Ring> WoundRings(const std::vector<Ring>& rings) {
   return simple;
 }
 
+// Whether sides of a ring meet elsewhere than at the vertex of two neighbours.
+class RingSides {
+ public:
+  explicit RingSides(const Ring& ring) : ring_(ring) {}
+
+  // Also true if it takes too long to tell, as for a comb with long teeth along x.
+  bool MayMeet() const {
+    std::vector<size_t> sides(ring_.size()), active;
+    std::iota(sides.begin(), sides.end(), size_t{0});
+    std::ranges::sort(sides, {}, [&](size_t side) { return std::min(From(side).x, To(side).x); });
+    for (size_t compared = 0; const size_t side : sides) {
+      const int64_t x = std::min(From(side).x, To(side).x);
+      std::erase_if(active, [&](size_t other) { return std::max(From(other).x, To(other).x) < x; });
+      compared += active.size();
+      if (compared > kMostCompared * ring_.size()) return true;
+      if (std::ranges::any_of(active, [&](size_t other) { return Meet(side, other); })) return true;
+      active.push_back(side);
+    }
+    return false;
+  }
+
+ private:
+  static constexpr size_t kMostCompared = 64;  // for each side; the region of the ring takes as long as some hundred
+
+  LatticePoint From(size_t side) const { return ring_[side]; }
+  LatticePoint To(size_t side) const { return ring_[Next(side)]; }
+  size_t Next(size_t side) const { return side + 1 == ring_.size() ? 0 : side + 1; }
+
+  bool Meet(size_t s, size_t t) const {
+    if (Next(t) == s) std::swap(s, t);
+    const LatticePoint a = From(s), b = To(s), c = From(t), d = To(t);
+    if (Next(s) == t) {
+      return Orientation(a, b, d) == 0 && (b.x - a.x) * (d.x - c.x) + (b.y - a.y) * (d.y - c.y) <= 0;
+    }
+    const auto apart = [](int64_t p, int64_t q, int64_t u, int64_t v) {
+      return std::max(p, q) < std::min(u, v) || std::max(u, v) < std::min(p, q);
+    };
+    if (apart(a.y, b.y, c.y, d.y) || apart(a.x, b.x, c.x, d.x)) return false;
+    return Orientation(a, b, c) * Orientation(a, b, d) <= 0 && Orientation(c, d, a) * Orientation(c, d, b) <= 0;
+  }
+
+  const Ring& ring_;
+};
+
+// Precondition: its sides do not meet.
+bool IsCounterClockwise(const Ring& ring) {
+  const size_t lowest = std::ranges::min_element(ring) - ring.begin(), n = ring.size();
+  return Orientation(ring[(lowest + n - 1) % n], ring[lowest], ring[(lowest + 1) % n]) > 0;
+}
+
+std::vector<Ring> WoundRings(const std::vector<Ring>& rings, Wound wound) {
+  if (rings.size() == 1 && rings[0].size() > 2 && !RingSides(rings[0]).MayMeet()) {
+    if (IsCounterClockwise(rings[0])) return rings;
+    return wound == Wound::kLeft ? std::vector<Ring>() : std::vector<Ring>{{rings[0].rbegin(), rings[0].rend()}};
+  }
+  std::vector<Ring> simple = WoundRings(rings);
+  if (wound == Wound::kLeft) return simple;
+  std::vector<Ring> turned;
+  for (const Ring& ring : rings) turned.emplace_back(ring.rbegin(), ring.rend());
+  const std::vector<Ring> others = WoundRings(turned);
+  simple.insert(simple.end(), others.begin(), others.end());
+  return WoundRings(simple);  // where the two touch
+}
+
 }  // namespace
 
 std::vector<std::vector<Point2>> SimpleRings(const std::vector<std::vector<Point2>>& rings, Wound wound) {
   const Millimetres lattice(rings);
-  std::vector<Ring> rounded, turned;
+  std::vector<Ring> rounded;
   for (const std::vector<Point2>& ring : rings) {
-    Ring& points = rounded.emplace_back();
-    for (const Point2& p : ring) points.push_back(lattice.Round(p));
-    turned.emplace_back(points.rbegin(), points.rend());
-  }
-  std::vector<Ring> simple = WoundRings(rounded);
-  if (wound == Wound::kEither) {
-    const std::vector<Ring> others = WoundRings(turned);
-    simple.insert(simple.end(), others.begin(), others.end());
-    simple = WoundRings(simple);  // where the two touch
+    for (Ring& points = rounded.emplace_back(); const Point2& p : ring) points.push_back(lattice.Round(p));
   }
   std::vector<std::vector<Point2>> result;
-  for (const Ring& ring : simple) {
+  for (const Ring& ring : WoundRings(rounded, wound)) {
     for (std::vector<Point2>& points = result.emplace_back(); const LatticePoint p : ring) {
       points.push_back(lattice.ToMetres(p));
     }

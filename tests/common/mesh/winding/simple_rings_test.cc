@@ -71,6 +71,10 @@ TEST(SimpleRingsTest, MakeValidPolygons) {
                         // The outline itself comes back to a vertex, from within and from without.
                         {{{{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 0}, {2, 4}, {4, 2}}}, Wound::kLeft, 58, 1},
                         {{{{0, 0}, {4, 0}, {4, 4}, {8, 4}, {8, 8}, {4, 8}, {4, 4}, {0, 4}}}, Wound::kLeft, 32, 2},
+                        // A ring that touches its own side, and one with two vertices at one place.
+                        {{{{0, 0}, {8, 0}, {8, 8}, {4, 0}, {0, 8}}}, Wound::kLeft, 32, 2},
+                        {{{{0, 0}, {8, 0}, {8, 0}, {8, 8}, {0, 8}}}, Wound::kLeft, 64, 1},
+                        {{Turned(Square(0, 0, 8))}, Wound::kLeft, 0, 0},
                         // A fold along an edge, there and back.
                         {{{{0, 0}, {8, 0}, {12, 0}, {8, 0}, {8, 8}, {0, 8}}}, Wound::kLeft, 64, 1}};
   for (const Case& c : cases) {
