@@ -233,29 +233,30 @@ class CellHolesBuilder {
   void AddBand(CellId tile, const std::vector<Eigen::AlignedBox3d>& others) {
     const StoredRecord stored = RecordOf(tile);
     if (stored == nullptr) return;
-    const std::span<const int32_t> of = VerticesOf(plan_, tile);
-    std::unordered_map<int32_t, int32_t> number;  // band point -> the result's
-    const auto rim_vertex = [&](int32_t v) {
-      if (v >= static_cast<int32_t>(of.size())) return -1;
-      const auto it = made_.find(of[v]);
-      return it == made_.end() ? -1 : it->second.vertex;
-    };
-    if (std::none_of(of.begin(), of.end(), [&](int32_t v) { return made_.contains(v); })) return;
+    std::vector<int32_t> rim;  // the result's vertex for each boundary vertex of the tile, or -1
+    for (const int32_t v : VerticesOf(plan_, tile)) {
+      const auto it = made_.find(v);
+      rim.push_back(it == made_.end() ? -1 : it->second.vertex);
+    }
+    if (std::ranges::all_of(rim, [](int32_t v) { return v < 0; })) return;
     const auto record = stored.WithBand();
+    std::vector<int32_t> number = rim;  // band point -> the result's
+    number.resize(record->band.points.size(), -1);
     for (const Triangle& t : record->band.triangles) {
-      const int32_t rim[3] = {rim_vertex(t[0]), rim_vertex(t[1]), rim_vertex(t[2])};
-      if (plan_.upright && rim[0] < 0 && rim[1] < 0 && rim[2] < 0) continue;
+      const auto is_rim = [&](int32_t v) { return v < std::ssize(rim) && rim[v] >= 0; };
+      if (plan_.upright && std::ranges::none_of(t, is_rim)) continue;
       const auto may_have = [&](const Eigen::AlignedBox3d& other) {
         return std::ranges::all_of(t, [&](int32_t v) { return other.contains(record->band.points[v]); });
       };
       if (std::ranges::any_of(others, may_have) && !IsFirst(tile, record->band, t)) continue;
       Triangle out;
       for (int k = 0; k < 3; ++k) {
-        out[k] = rim[k];
-        if (rim[k] >= 0) continue;
-        const auto [it, fresh] = number.try_emplace(t[k], static_cast<int32_t>(result_.band.points.size()));
-        if (fresh) result_.band.points.push_back(record->band.points[t[k]]);
-        out[k] = it->second;
+        int32_t& own = number[t[k]];
+        if (own < 0) {
+          own = static_cast<int32_t>(result_.band.points.size());
+          result_.band.points.push_back(record->band.points[t[k]]);
+        }
+        out[k] = own;
       }
       result_.band.triangles.push_back(out);
     }
