@@ -16,14 +16,15 @@ inline constexpr int32_t kProtocolVersion = 7;
 // Bytes of a blob in one message of a stream.
 inline constexpr size_t kMaxChunkBytes = size_t{1} << 20;
 
-// A blob up to this size travels inside Sync and needs no stream of its own.
-inline constexpr size_t kInlineBlobBytes = size_t{32} << 10;
+// A blob up to this size travels inside Sync and needs no stream of its own: the survey of a cell of a million
+// triangles has some 400 KB.
+inline constexpr size_t kInlineBlobBytes = size_t{512} << 10;
 
-// No message is larger: 64 inlined blobs, and lists of tasks beside them.
+// No message is larger: inlined blobs, and lists of tasks beside them.
 inline constexpr int kMaxMessageBytes = 4 << 20;
 
 // Inlined bytes in one Sync request or response; blobs beyond that are streamed.
-inline constexpr size_t kMaxInlineBytesPerSync = size_t{2} << 20;
+inline constexpr size_t kMaxInlineBytesPerSync = size_t{1} << 20;
 
 // One blob, and all that an attempt sends. Larger than any band or patch of a cell by far.
 inline constexpr int64_t kMaxBlobBytes = int64_t{1} << 30;

@@ -11,6 +11,7 @@
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 #include "coordinator/api/task_ref.h"
+#include "coordinator/jobs/job_journal.h"
 #include "coordinator/store/attempt_folder.h"
 
 namespace tilemend {
@@ -101,9 +102,24 @@ void ResultIntake::PrepareOutput(const std::string& worker, const Holding& lease
     report.event = TaskFailed{key, worker, token, true, false, error, {}, DigestOf(output)};
   } else if (!status.ok()) {
     report.event = TaskFailed{key, worker, token, true, false, absl::UnavailableError(status.message()), {}};
-  } else if (IsInline(output) && !(lease.queue_full && lease.blobs->Put(output.content(), OutputSync(cluster_)).ok())) {
-    report.content = output.content();
+  } else if (const absl::Status kept = KeepOutput(lease, output, report); !kept.ok()) {
+    report.event = TaskFailed{key, worker, token, true, false, kept, {}};
   }
+}
+
+// The content of an output goes to the job from memory, unless its queue is full, and into a file if it is too large
+// for the journal.
+absl::Status ResultIntake::KeepOutput(const Holding& lease, const v1::BlobRef& output, Report& report) const {
+  if (!IsInline(output)) return absl::OkStatus();
+  const bool is_large = cluster_.journal->is_durable() && output.content().size() > kMostJournalledBytes;
+  if (lease.queue_full || is_large) {
+    const std::string& digest = std::get<TaskCompleted>(report.event).output;
+    const absl::Status put = lease.blobs->Put(output.content(), OutputSync(cluster_), digest).status();
+    if (is_large && !put.ok()) return IsMachineError(put) ? put : absl::UnavailableError(put.message());
+    if (lease.queue_full && put.ok()) return absl::OkStatus();
+  }
+  report.content = output.content();
+  return absl::OkStatus();
 }
 
 absl::Status ResultIntake::CheckOutput(const Holding& lease, const v1::BlobRef& output) const {

@@ -56,6 +56,7 @@ class ResultIntake {
   Report PrepareReport(const std::string& worker, const v1::FinishedTask& finished);
   std::optional<Holding> HoldingOf(const std::string& worker, const v1::TaskRef& ref);  // takes the lock
   void PrepareOutput(const std::string& worker, const Holding& lease, const v1::BlobRef& output, Report& report);
+  absl::Status KeepOutput(const Holding& lease, const v1::BlobRef& output, Report& report) const;
   absl::Status CheckOutput(const Holding& lease, const v1::BlobRef& output) const;
   bool TakeReport(const std::string& worker, Report& report);
 

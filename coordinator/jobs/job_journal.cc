@@ -71,7 +71,8 @@ void JobJournal::PutJob(const Job& job, bool released, std::optional<v1::Job> me
 
 void JobJournal::PutResult(const SettledTask& task, const std::optional<std::string>& content) const {
   if (!cluster_.journal->is_durable()) return;
-  ResultRecord result{task.state, task.output, content, "", {}, task.worker};
+  const bool is_inside = content && content->size() <= kMostJournalledBytes;
+  ResultRecord result{task.state, task.output, is_inside ? content : std::nullopt, "", {}, task.worker};
   if (task.state != TaskState::kCommitted) result.error = StatusToProto(task.error).SerializeAsString();
   cluster_.journal->PutResult(cluster_.state.FindJob(task.key.job)->number,
                               NameOf(cluster_.options.build, task.cell, task.stage, task.input), std::move(result));

@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COORDINATOR_JOBS_JOB_JOURNAL_H_
 #define TILEMEND_COORDINATOR_JOBS_JOB_JOURNAL_H_
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +15,9 @@
 #include "tilemend/v1/jobs.pb.h"
 
 namespace tilemend {
+
+// A larger output is in the journal by its digest: its bytes are a blob in the job's folder before it is put.
+inline constexpr size_t kMostJournalledBytes = size_t{32} << 10;
 
 // Puts what changed into the journal of a cluster, and finds there what an earlier process put. The methods that put
 // need the lock and do nothing if the journal forgets everything.
