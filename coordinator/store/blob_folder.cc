@@ -24,6 +24,10 @@
 namespace tilemend {
 namespace {
 
+// Blobs lie in 16 folders, by the first digit: a folder of a job of a million cells has some 100,000 files, and a small
+// job makes few folders.
+constexpr size_t kParentDigits = 1;
+
 absl::Status BlobNotFound(const std::string& digest) {
   return WithErrorInfo(absl::NotFoundError(absl::StrCat("blob ", digest, ": the job has none of that name")),
                        {"BLOB_NOT_FOUND", {{"digest", digest}}});
@@ -166,12 +170,12 @@ absl::StatusOr<std::unique_ptr<BlobFolder::Writer>> BlobFolder::NewWriter(Sync s
 
 absl::StatusOr<std::string> BlobFolder::PathOf(const std::string& digest) const {
   if (!IsDigest(digest)) return absl::InvalidArgumentError("a digest has 64 lower-case hexadecimal digits");
-  return absl::StrCat(path_, "/", digest.substr(0, 2), "/", digest.substr(2));
+  return absl::StrCat(path_, "/", digest.substr(0, kParentDigits), "/", digest.substr(kParentDigits));
 }
 
 absl::Status BlobFolder::MoveIntoPlace(const std::string& temporary, const std::string& digest, Sync sync) {
   TILEMEND_ASSIGN_OR_RETURN(const std::string path, PathOf(digest));
-  const std::string parent = absl::StrCat(path_, "/", digest.substr(0, 2));
+  const std::string parent = absl::StrCat(path_, "/", digest.substr(0, kParentDigits));
   if (::rename(temporary.c_str(), path.c_str()) != 0) {
     // Not create_directories: it would bring a removed folder back.
     if (::mkdir(parent.c_str(), 0700) != 0 && errno != EEXIST)
