@@ -92,7 +92,7 @@ WatchHandler::~WatchHandler() {
   {
     const ClusterLock lock(cluster_.mutex);
     quits_ = true;
-    cluster_.job_changed.notify_all();
+    cluster_.job_changed.Wake();
   }
   thread_.join();
 }
@@ -152,7 +152,12 @@ void WatchHandler::Run() {
     if (stops) EndWhere(LeftByTheCoordinator);
     lock.lock();
     if (quits_ && topics_.empty() && posts_.empty()) return;
-    if (posts_.empty()) cluster_.job_changed.WaitUntil(lock, seen, std::min(next_question, found.next_look));
+    if (!posts_.empty()) continue;
+    if (found.quiet_until > now) {
+      cluster_.job_changed.SleepUntil(lock, std::min(next_question, found.quiet_until));
+    } else {
+      cluster_.job_changed.WaitUntil(lock, seen, std::min(next_question, found.next_look));
+    }
   }
 }
 
@@ -177,6 +182,7 @@ WatchHandler::Found WatchHandler::Look(SteadyTime now) {
     const bool has_news =
         name.empty() ? LookAtDemand(cluster_, topic) : LookAtJob(cluster_, name, topic, now, found.next_look);
     if (has_news) found.changed.push_back(name);
+    found.quiet_until = std::min(found.quiet_until, topic.next);
   }
   return found;
 }

@@ -83,8 +83,9 @@ class WatchHandler {
   using Topics = std::map<std::string, WatchTopic>;  // by the job's name; the demand is ""
   // What a look at the topics found.
   struct Found {
-    std::vector<std::string> changed;          // topics with news
-    SteadyTime next_look = SteadyTime::max();  // news wait so long
+    std::vector<std::string> changed;            // topics with news
+    SteadyTime next_look = SteadyTime::max();    // news wait so long
+    SteadyTime quiet_until = SteadyTime::max();  // before that no change makes news
   };
 
   absl::Status Enter(const std::string& topic, uint64_t cursor, const std::shared_ptr<Watch>& watch);

@@ -59,6 +59,7 @@ void Cluster::StopWaiting() {
   stopping = true;
   stop_changed.notify_all();
   Changed();
+  job_changed.Wake();
 }
 
 Sync OutputSync(const Cluster& cluster) { return cluster.journal->is_durable() ? Sync::kYes : Sync::kNo; }

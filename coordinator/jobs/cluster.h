@@ -72,7 +72,7 @@ class ChangeSignal {
  public:
   void notify_all() {
     ++count_;
-    changed_.notify_all();
+    if (!sleeps_) changed_.notify_all();
   }
   // How often it was told of a change.
   uint64_t count() const { return count_; }
@@ -82,9 +82,16 @@ class ChangeSignal {
   void WaitUntil(ClusterLock& lock, uint64_t seen, std::chrono::steady_clock::time_point deadline) {
     if (count_ == seen) changed_.wait_until(lock, deadline);
   }
+  // Waits until `deadline`, or less; a change does not end it, only Wake.
+  void SleepUntil(ClusterLock& lock, std::chrono::steady_clock::time_point deadline) {
+    sleeps_ = true;
+    changed_.wait_until(lock, deadline);
+    sleeps_ = false;
+  }
 
  private:
   uint64_t count_ = 0;
+  bool sleeps_ = false;
   std::condition_variable changed_;
 };
 
