@@ -22,7 +22,7 @@ v1::TaskRef RefOf(const TaskKey& key, uint64_t token) {
 
 // Of an attempt. Nobody is to guess it.
 uint64_t NewToken() {
-  std::random_device random;
+  thread_local std::random_device random;
   const uint64_t token = static_cast<uint64_t>(random()) << 32 | random();
   return token == 0 ? 1 : token;
 }
