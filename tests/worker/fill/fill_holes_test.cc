@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <set>
 #include <string>
@@ -79,6 +80,22 @@ class FillHolesTest : public testing::TestWithParam<Surface> {
 };
 INSTANTIATE_TEST_SUITE_P(Surfaces, FillHolesTest, testing::Values(Surface::kWang, Surface::kThinPlate),
                          [](const auto& test) { return test.param == Surface::kWang ? "Wang" : "ThinPlate"; });
+
+TEST(FillHolesOfThinPlateTest, EndsSoonWhereverItIsCancelled) {
+  const CellHoles work = HoleOf(kSquareHole, Waves, true);
+  FillOptions options;
+  int asked = 0, end = std::numeric_limits<int>::max();
+  options.refine.is_cancelled = [&] { return ++asked >= end; };
+  const std::vector<HolePatch> patches = FillHoles(work, options);
+  ASSERT_TRUE(patches.at(0).failure.empty());
+  const int all = asked;
+  EXPECT_GT(all, std::ssize(patches[0].new_points)) << "asked for each column of the surface's equations";
+  for (end = 1; end <= all; ++end) {
+    asked = 0;
+    for (const HolePatch& patch : FillHoles(work, options)) EXPECT_FALSE(patch.failure.empty()) << end;
+    EXPECT_LE(asked, end + 5);
+  }
+}
 
 // However the rim runs.
 TEST_P(FillHolesTest, WaterIsFlat) {

@@ -54,8 +54,7 @@ std::optional<std::vector<double>> SolveWhole(const LocalHole& hole, const FillO
 
 bool SolveSurface(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options, RimUse use,
                   ThinPlateProblem& plate, std::optional<HoldOut>& chosen) {
-  if (frame.upright() && hole.walls.is_told())
-    return SolveWalledGround(SettledReadingsOf(hole), hole.walls, plate, options.refine.is_cancelled);
+  if (frame.upright() && hole.walls.is_told()) return SolveWalledGround(SettledReadingsOf(hole), hole.walls, plate);
   bool has_walls = false;
   const auto laplacian = SolveOverSlope(frame.upright() ? hole.slope : Point2(0, 0), plate, [&] {
     if (use == RimUse::kWhole) return SolveWhole(hole, options, plate, chosen, has_walls);
@@ -64,13 +63,14 @@ bool SolveSurface(const LocalHole& hole, const ProjectionFrame& frame, const Fil
   });
   if (!has_walls) return laplacian.has_value();
   chosen->walls = TrendOf(plate);
-  return SolveWalledGround(ReadingsOf(hole), chosen->walls, plate, options.refine.is_cancelled);
+  return SolveWalledGround(ReadingsOf(hole), chosen->walls, plate);
 }
 
 bool SolveAsThinPlate(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options, RimUse use,
                       PlanePatch& patch, std::optional<HoldOut>& chosen) {
   ThinPlateProblem plate;
   const auto rim = static_cast<size_t>(hole.size()), all = patch.points.size();
+  plate.is_cancelled = options.refine.is_cancelled;
   plate.points = std::move(patch.points);
   plate.patch = std::move(patch.triangles);
   plate.band = AddBand(hole, frame, hole.has_equation, plate.points);

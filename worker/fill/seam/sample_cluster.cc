@@ -63,8 +63,7 @@ class ClusterSampler {
     if (has_walls) {
       surface.hold_out->walls = TrendOf(problem);
       laplacian.emplace(problem.points.size(), 0);
-      if (!SolveWalledGround(ReadingsOf(hole_), surface.hold_out->walls, problem, options_.refine.is_cancelled))
-        return std::nullopt;
+      if (!SolveWalledGround(ReadingsOf(hole_), surface.hold_out->walls, problem)) return std::nullopt;
     }
     if (!laplacian) return std::nullopt;
     surface.samples = Samples(problem, *laplacian, has_walls);
@@ -221,6 +220,7 @@ class ClusterSampler {
 
   ThinPlateProblem Problem() const {
     ThinPlateProblem problem;
+    problem.is_cancelled = options_.refine.is_cancelled;
     problem.points = hole_.positions;
     for (int32_t v = 0; v < hole_.size(); ++v) {
       const int32_t rim = hole_.vertices[v];

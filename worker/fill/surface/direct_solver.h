@@ -3,6 +3,7 @@
 #define TILEMEND_WORKER_FILL_SURFACE_DIRECT_SOLVER_H_
 
 #include <Eigen/SparseCholesky>
+#include <functional>
 #include <optional>
 
 #include "worker/fill/surface/plate_equations.h"
@@ -18,25 +19,39 @@ EliminationOrder OrderOf(const Eigen::SparseMatrix<double>& lower);
 
 // A sparse Cholesky factorisation of a symmetric matrix, of which `lower` is the lower triangle. Its memory is that of
 // the triangle and of the factor. Eigen's own way to the order would have whole copies of the matrix beside them.
+//   is_cancelled  asked for each column, since a factorisation may take minutes; true ends it, and it is not ok
 class SymmetricFactorization {
  public:
-  explicit SymmetricFactorization(Eigen::SparseMatrix<double> lower);
-  SymmetricFactorization(EliminationOrder order, Eigen::SparseMatrix<double> lower);
+  explicit SymmetricFactorization(Eigen::SparseMatrix<double> lower, const std::function<bool()>& is_cancelled = {});
+  SymmetricFactorization(EliminationOrder order, Eigen::SparseMatrix<double> lower,
+                         const std::function<bool()>& is_cancelled = {});
   bool ok() const { return solver_.info() == Eigen::Success; }
   Eigen::VectorXd Solve(const Eigen::VectorXd& right_side) const;
   Eigen::MatrixXd Solve(const Eigen::MatrixXd& right_sides) const;  // each column
 
  private:
+  using Ldlt = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>>;
+
+  // Eigen's, whose own factorisation cannot be ended.
+  class Solver : public Ldlt {
+   public:
+    // As compute(upper), unless it is cancelled.
+    void Factorize(const Eigen::SparseMatrix<double>& upper, const std::function<bool()>& is_cancelled);
+
+   private:
+    class Rows;
+  };
+
   EliminationOrder back_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>> solver_;
+  Solver solver_;
 };
 
 // The same of A. About O(n^1.5) for n unknown points at even distances; close to O(n) on graded meshes, whose
 // separators are small.
 class PlateFactorization {
  public:
-  // `equations` must outlive it.
-  explicit PlateFactorization(const PlateEquations& equations);
+  // `equations` must outlive it. `is_cancelled` as of SymmetricFactorization.
+  explicit PlateFactorization(const PlateEquations& equations, const std::function<bool()>& is_cancelled = {});
   bool ok() const { return factorization_.ok(); }
   // A^-1 of a residual.
   PointValues Solve(const PointValues& residual) const;

@@ -141,6 +141,7 @@ bool FreeRim(const std::vector<bool>& on_object, const std::vector<std::optional
   beside.points = problem.points;
   beside.patch = problem.patch;
   beside.known = problem.known;
+  beside.is_cancelled = problem.is_cancelled;
   beside.has_equation.assign(problem.points.size(), false);
   for (size_t v = 0; v < beside.points.size(); ++v) {
     Point3& p = beside.points[v];

@@ -44,7 +44,7 @@ std::optional<std::vector<double>> SolveThinPlate(ThinPlateProblem& problem) {
   const PlateEquations equations(problem, true, problem.tension);
   std::optional<PointValues> heights;
   if (IsLarge(problem, equations.unknown_count())) heights = SolveInTwoLevels(problem, equations);
-  if (!heights) heights = SolveDirectly(problem, equations);
+  if (!heights && !problem.cancelled()) heights = SolveDirectly(problem, equations);
   if (!heights) return std::nullopt;
   StoreHeights(*heights, problem);
   const PointValues laplacians = equations.Laplacians(*heights);

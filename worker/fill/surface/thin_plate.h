@@ -21,7 +21,8 @@ bool SolveMembrane(ThinPlateProblem& problem);
 // are known from the whole patch. Either side then has the solution of the whole.
 //
 // Fills z of the unknown points. Returns the Laplacian at every point with an equation; elsewhere what is given of it,
-// or 0. Returns nothing, with the heights as they were, if the system cannot be factorised.
+// or 0. Returns nothing, with the heights as they were, if the system cannot be factorised or the problem is
+// cancelled.
 //
 // Small systems are factorised (sparse Cholesky, Eigen). Large ones with even triangles are solved by iteration on two
 // levels (two_level_solver.h), with curvatures right to 1 %. Cost near-linear in the points.

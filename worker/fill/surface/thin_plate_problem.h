@@ -2,6 +2,7 @@
 #ifndef TILEMEND_WORKER_FILL_SURFACE_THIN_PLATE_PROBLEM_H_
 #define TILEMEND_WORKER_FILL_SURFACE_THIN_PLATE_PROBLEM_H_
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct ThinPlateProblem {
   // Weight of |gradient|^2 against |Laplacian|^2, 1 / metre^2: the square of an inverse length beyond which the surface
   // is taut.
   double tension = 0;
+  // Asked now and then; true ends a solver without a result. None: never.
+  std::function<bool()> is_cancelled = {};
+  bool cancelled() const { return is_cancelled && is_cancelled(); }
 };
 
 }  // namespace tilemend

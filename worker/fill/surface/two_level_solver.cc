@@ -64,7 +64,7 @@ std::optional<PointValues> SolveInTwoLevels(const ThinPlateProblem& problem, con
   const std::optional<CoarsePlate> coarse = CoarsenPlate(problem);
   if (!coarse) return std::nullopt;
   const PlateEquations coarse_equations(coarse->problem, true, problem.tension);
-  const PlateFactorization factorization(coarse_equations);
+  const PlateFactorization factorization(coarse_equations, problem.is_cancelled);
   if (!factorization.ok()) return std::nullopt;
   PointValues heights = GivenHeights(coarse->problem);
   heights += factorization.Solve(coarse_equations.Residual(heights));
@@ -80,6 +80,7 @@ std::optional<PointValues> SolveInTwoLevels(const ThinPlateProblem& problem, con
   for (int i = 0; i < kMostIterations; ++i) {
     // A start that is far off has a high energy, beside which all errors are small.
     if (error <= limit && error <= (limit = enough())) break;
+    if (problem.cancelled()) return std::nullopt;
     const PointValues product = equations.Apply(direction);
     const double step = error / direction.dot(product);
     heights += step * direction;

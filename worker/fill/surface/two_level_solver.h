@@ -17,7 +17,7 @@ inline constexpr double kLeastError = 0.01;
 // share (root mean square), or heights are to a millionth of the mean edge. Near-linear: about ten iterations whatever
 // the size of the patch, and a coarse mesh that grows with the boundary. Some 150 bytes for each point.
 //
-// Nothing if the patch has no coarser mesh, or if it does not converge.
+// Nothing if the patch has no coarser mesh, if it does not converge, or if it is cancelled.
 std::optional<PointValues> SolveInTwoLevels(const ThinPlateProblem& problem, const PlateEquations& equations);
 
 }  // namespace tilemend

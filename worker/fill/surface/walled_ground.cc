@@ -76,10 +76,9 @@ class WalledGround {
   }
 
   // The heights of all points over the trend; none if they cannot be found.
-  std::optional<std::vector<double>> Solve(const std::function<bool()>& is_cancelled) {
+  std::optional<std::vector<double>> Solve() {
     if (lowest_ > highest_) return std::nullopt;
     for (int round = 0; unknowns_ > 0 && round < kMostRounds; ++round) {
-      if (is_cancelled && is_cancelled()) return std::nullopt;
       const std::optional<double> moved = SolveRound(round == 0);
       if (!moved) return std::nullopt;
       if (round > 0 && *moved < kSettled) break;
@@ -129,7 +128,7 @@ class WalledGround {
   std::optional<double> SolveRound(bool is_first) {
     Eigen::SparseMatrix<double> matrix = MakeEquations(is_first);
     if (is_first) order_ = OrderOf(matrix);
-    const SymmetricFactorization factorization(order_, matrix);
+    const SymmetricFactorization factorization(order_, matrix, problem_.is_cancelled);
     if (!factorization.ok()) return std::nullopt;
     const Eigen::VectorXd found = factorization.Solve(right_);
     if (!found.allFinite()) return std::nullopt;
@@ -265,10 +264,9 @@ std::vector<RimReading> SettledReadingsOf(const LocalHole& hole) {
   return readings;
 }
 
-bool SolveWalledGround(const std::vector<RimReading>& readings, const GroundTrend& trend, ThinPlateProblem& problem,
-                       const std::function<bool()>& is_cancelled) {
+bool SolveWalledGround(const std::vector<RimReading>& readings, const GroundTrend& trend, ThinPlateProblem& problem) {
   WalledGround ground(readings, trend, problem);
-  const std::optional<std::vector<double>> heights = ground.Solve(is_cancelled);
+  const std::optional<std::vector<double>> heights = ground.Solve();
   if (!heights) return false;
   for (size_t v = 0; v < problem.points.size(); ++v) {
     if (!ground.is_unknown(v)) continue;

@@ -3,7 +3,6 @@
 #define TILEMEND_WORKER_FILL_SURFACE_WALLED_GROUND_H_
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "common/records/cell_holes.h"
@@ -51,11 +50,9 @@ std::vector<RimReading> SettledReadingsOf(const LocalHole& hole);
 // Solved by lagged weights (Vogel and Oman 1996): a membrane each round, at most 20 rounds, until no height moves by
 // more than 2 mm. The heights of all points of the patch are known then, and no point has an equation or a band. A
 // patch cut along a line of known heights has nearly the same surface on both sides. False, with the heights as they
-// were, if a system cannot be factorised, or nothing is known of any height.
-//   readings      of the first points of the problem
-//   is_cancelled  asked each round; true ends the work, and nobody wants what comes of it
-bool SolveWalledGround(const std::vector<RimReading>& readings, const GroundTrend& trend, ThinPlateProblem& problem,
-                       const std::function<bool()>& is_cancelled = {});
+// were, if a system cannot be factorised, nothing is known of any height, or the problem is cancelled.
+//   readings  of the first points of the problem
+bool SolveWalledGround(const std::vector<RimReading>& readings, const GroundTrend& trend, ThinPlateProblem& problem);
 
 }  // namespace tilemend
 

@@ -120,7 +120,7 @@ bool FairPatch(const PatchSurroundings& around, int32_t steps, NewPatch& patch,
     if (is_cancelled && is_cancelled()) return false;
     Equations equations = Umbrella(patch, around).ForStep();
     if (step == 0) order = OrderOf(equations.lower);
-    const SymmetricFactorization factorization(order, equations.lower);
+    const SymmetricFactorization factorization(order, equations.lower, is_cancelled);
     if (!factorization.ok()) return false;
     const Eigen::MatrixXd places = factorization.Solve(equations.right);
     if (!places.allFinite()) return false;

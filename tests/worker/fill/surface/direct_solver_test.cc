@@ -48,6 +48,23 @@ TEST(SymmetricFactorizationTest, AnOrderServesAllMatricesWithTheSamePlaces) {
   EXPECT_EQ(SymmetricFactorization(order, Grid(7)).Solve(right), SymmetricFactorization(Grid(7)).Solve(right));
 }
 
+TEST(SymmetricFactorizationTest, HasTheBitsOfEigens) {
+  const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(36, -1, 3);
+  const EliminationOrder order = OrderOf(Grid(4.5));
+  Matrix ordered(36, 36);
+  ordered.selfadjointView<Eigen::Upper>() =
+      Grid(4.5).selfadjointView<Eigen::Lower>().twistedBy(EliminationOrder(order.inverse()));
+  const Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> eigens(ordered);
+  const Eigen::VectorXd expected = order * eigens.solve(order.inverse() * right);
+  EXPECT_EQ(SymmetricFactorization(Grid(4.5)).Solve(right), expected);
+}
+
+TEST(SymmetricFactorizationTest, EndsAtOnceWhenItIsCancelled) {
+  int asked = 0;
+  EXPECT_FALSE(SymmetricFactorization(Grid(5), [&] { return ++asked == 20; }).ok());
+  EXPECT_EQ(asked, 20);
+}
+
 TEST(PlateFactorizationTest, IsTheInverseOfTheOperator) {
   for (const double tension : {0.0, 0.3}) {
     const Plate plate = MakePlate(Hills, Everywhere, Nowhere);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "tests/worker/fill/surface/plates.h"
@@ -128,6 +129,25 @@ TEST(SolveThinPlateTest, ALargeHalfIsNearTheWhole) {
   }
   EXPECT_LT(sum / static_cast<double>(half.at.size()), 0.002 * kRelief);
   EXPECT_LT(largest, 0.01 * kRelief);
+}
+
+TEST(SolveThinPlateTest, EndsSoonWhereverItIsCancelled) {
+  const Plate plate = MakePlate(RoughHills, Everywhere, Nowhere, kLarge);
+  int asked = 0, end = std::numeric_limits<int>::max();
+  const auto solve = [&](ThinPlateProblem problem) {
+    asked = 0;
+    problem.is_cancelled = [&] { return ++asked >= end; };
+    const bool is_solved = SolveThinPlate(problem).has_value();
+    EXPECT_EQ(problem.points != plate.problem.points, is_solved);
+    return is_solved;
+  };
+  ASSERT_TRUE(solve(plate.problem));
+  const int all = asked;
+  for (const int at : {1, all / 2, all}) {
+    end = at;
+    EXPECT_FALSE(solve(plate.problem)) << at;
+    EXPECT_LE(asked, at + 1);
+  }
 }
 
 }  // namespace
