@@ -98,7 +98,7 @@ TEST_P(RestoreTest, AJobOutlivesManyCoordinators) {
   EXPECT_LE(left, 60 - 12 * 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Bytes, RestoreTest, ::testing::Values(0, 1000, 100'000));
+INSTANTIATE_TEST_SUITE_P(Bytes, RestoreTest, ::testing::Values(0, 1000, 100'000, 600'000));
 
 TEST(RestoreJobsTest, WhatIsOverStaysAsItWas) {
   TestCluster cluster(Durable());
