@@ -7,7 +7,8 @@
 namespace tilemend {
 
 // The fill of one cell, with the vertices of its rims, has fewer vertices than this. A worker leaves a hole open whose
-// patch would bring it to as many or more. The coordinator refuses a mesh in a result that has more.
+// patch would bring it to as many or more. A tile whose band has more fails in its survey. The coordinator refuses a mesh
+// in a result that has more.
 inline constexpr int64_t kMaxResultPoints = 4'000'000;
 inline constexpr int64_t kMaxResultTriangles = 2 * kMaxResultPoints;
 

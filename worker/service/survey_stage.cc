@@ -10,6 +10,7 @@
 #include "common/codec/mesh_file.h"
 #include "common/codec/text.h"
 #include "common/mesh/height_tallies.h"
+#include "common/mesh/mesh_limits.h"
 #include "common/rpc/clear_payloads.h"
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
@@ -32,6 +33,16 @@ absl::Status WithHint(const absl::Status& status) {
                       absl::StrCat(status.message(), "; a cell without surface has \"path\": null in scene.json"));
 }
 
+// The coordinator takes no larger mesh (common/mesh/mesh_limits.h).
+absl::Status CheckBandSize(const TriMesh& band, const std::string& path) {
+  const auto points = std::ssize(band.points), triangles = std::ssize(band.triangles);
+  if (points <= kMaxResultPoints && triangles <= kMaxResultTriangles) return absl::OkStatus();
+  return absl::InvalidArgumentError(absl::StrCat(path, ": the surface along its boundaries has ", points,
+                                                 " vertices and ", triangles, " triangles, where a tile may have ",
+                                                 kMaxResultPoints, " and ", kMaxResultTriangles,
+                                                 "; cut it into smaller tiles"));
+}
+
 // The record of a tile with these bytes, and what it looks like if that is asked for.
 absl::StatusOr<v1::SurveyOutput> SurveyOf(const v1::SurveyInput& input, const std::string& bytes, NoFaces no_faces) {
   const std::string path = PathOf(input.tile());
@@ -39,6 +50,7 @@ absl::StatusOr<v1::SurveyOutput> SurveyOf(const v1::SurveyInput& input, const st
   if (!input.look()) {
     TILEMEND_ASSIGN_OR_RETURN(const MeshFile file, ParseMesh(format, bytes, path, no_faces));
     SurveyRecord record = SurveyTile(file.mesh, file.number_type == NumberType::kFloat32, PieceAreas::kNo);
+    TILEMEND_RETURN_IF_ERROR(CheckBandSize(record.band, path));
     if (input.raster_square() > 0) record.lowest = LowestSurface(file.mesh, input.raster_square());
     v1::SurveyOutput output = ToProto(record);
     output.mutable_level_nodes()->Add(file.level_nodes.begin(), file.level_nodes.end());
@@ -47,6 +59,7 @@ absl::StatusOr<v1::SurveyOutput> SurveyOf(const v1::SurveyInput& input, const st
   const SurveyChoice choice{PieceAreas::kNo, input.raster_square(), no_faces};
   TILEMEND_ASSIGN_OR_RETURN(const LookSurvey survey,
                             SurveyWithLook(input.tile().root(), input.tile().path(), bytes, format, choice));
+  TILEMEND_RETURN_IF_ERROR(CheckBandSize(survey.record.band, path));
   v1::SurveyOutput output = ToProto(survey.record);
   *output.mutable_files() = ToProto(survey.files);
   SetWitness(survey.witness, *output.mutable_witness());

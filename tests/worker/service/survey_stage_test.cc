@@ -9,6 +9,7 @@
 
 #include "common/codec/mesh_file.h"
 #include "common/mesh/height_tally.h"
+#include "common/mesh/mesh_limits.h"
 #include "common/rpc/clear_payloads.h"
 #include "common/rpc/ground_payloads.h"
 #include "common/store/digest.h"
@@ -66,6 +67,27 @@ class SurveyStageTest : public testing::Test {
   v1::TileRef tile_;
   std::string digest_;
 };
+
+// Whose every vertex is on a boundary.
+TEST_F(SurveyStageTest, ATileWithALongerBoundaryThanAnyResultMayHaveFailsWithAReason) {
+  TriMesh mesh;
+  for (int32_t v = 0; v <= kMaxResultPoints; v += 3) {
+    const Point3 corner(v % 3000, v / 3000, 0);
+    mesh.points.insert(mesh.points.end(), {corner, corner + Point3(1, 0, 0), corner + Point3(0, 0.5, 0)});
+    mesh.triangles.push_back({v, v + 1, v + 2});
+  }
+  const std::vector<int32_t> like(mesh.points.size(), -1);
+  folder_.Write("a.ply", NewPlyFile({mesh.points, like, mesh.triangles}, NumberType::kFloat64));
+  v1::SurveyInput input;
+  *input.mutable_tile() = tile_;
+  for (const bool look : {false, true}) {
+    input.set_look(look);
+    const absl::Status status = RunSurvey(input, memory_).status();
+    EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+    EXPECT_THAT(std::string(status.message()),
+                HasSubstr("a.ply: the surface along its boundaries has 4000002 vertices"));
+  }
+}
 
 TEST_F(SurveyStageTest, MeasuresHowMuchSurfaceLiesAtWhichHeight) {
   v1::MeasureInput input;

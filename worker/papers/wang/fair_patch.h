@@ -20,7 +20,7 @@ namespace tilemend {
 // there the patch bends freely. A move that would turn a triangle over on the plane is shortened (PointMover).
 //
 // False, with the points as after the last step that was solved, if one could not be, or `is_cancelled` says so before
-// it (none: never). Sparse Cholesky; about O(n^1.5) a step.
+// or in it (none: never). Sparse Cholesky; about O(n^1.5) a step.
 bool FairPatch(const PatchSurroundings& around, int32_t steps, NewPatch& patch,
                const std::function<bool()>& is_cancelled = {});
 

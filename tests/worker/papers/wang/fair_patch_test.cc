@@ -44,13 +44,19 @@ TEST(FairPatchTest, LeavesOfTheStartWhatIsBroad) {
   EXPECT_GT(Roughness(patch), 1) << "a solution of U^2 = 0 alone would be flat";
 }
 
-TEST(FairPatchTest, EndsBeforeAStepOnceCancelled) {
+TEST(FairPatchTest, EndsBeforeOrInAStepOnceCancelled) {
   const auto dome = [](double x, double y) { return x * (24 - x) * y * (24 - y) / 2000; };
-  NewPatch patch = SquarePatch(24, dome), one_step = patch;
+  NewPatch one_step = SquarePatch(24, dome);
   int asked = 0;
-  EXPECT_FALSE(FairPatch(NothingAround(patch), 5, patch, [&] { return ++asked > 1; }));
-  ASSERT_TRUE(FairPatch(NothingAround(one_step), 1, one_step));
-  EXPECT_EQ(patch.points, one_step.points);
+  ASSERT_TRUE(FairPatch(NothingAround(one_step), 1, one_step, [&] { return ++asked < 0; }));
+  const int in_a_step = asked;
+  for (const int more : {0, in_a_step / 2}) {
+    NewPatch patch = SquarePatch(24, dome);
+    asked = 0;
+    EXPECT_FALSE(FairPatch(NothingAround(patch), 5, patch, [&] { return ++asked > in_a_step + more; }));
+    EXPECT_EQ(asked, in_a_step + more + 1);
+    EXPECT_EQ(patch.points, one_step.points);
+  }
 }
 
 TEST(FairPatchTest, GoesOnWithTheSlopeAround) {
