@@ -19,6 +19,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_split.h"
 #include "absl/strings/string_view.h"
+#include "common/http/held_connections.h"
 #include "common/http/timed_connection.h"
 #include "common/http/waiting_room.h"
 
@@ -27,6 +28,7 @@ namespace {
 
 constexpr size_t kThreads = 16;
 constexpr std::ptrdiff_t kMostConnections = 64;  // served or waiting for a thread
+constexpr size_t kMostHeld = 256;                // that wait for their answer, some 20 KB each
 // A connection that asks nothing is closed then.
 constexpr absl::Duration kMostIdle = absl::Seconds(5);
 
@@ -98,9 +100,10 @@ TlsContext NewContext(HttpSecurity& security) {
   return context;
 }
 
-// The connection that this thread answers, and what its answer has to keep until it is sent.
-thread_local const TimedConnection* current_connection = nullptr;
+// The connection that this thread answers, what its answer has to keep until it is sent, and what it waits for.
+thread_local TimedConnection* current_connection = nullptr;
 thread_local std::shared_ptr<void> current_until_sent;
+thread_local HeldConnections::Wait current_wait;
 
 class TimedServer : public httplib::Server {
  public:
@@ -109,7 +112,8 @@ class TimedServer : public httplib::Server {
         limits_(limits),
         room_(
             {.time = std::min(limits.time, kMostIdle), .body_bytes = body_bytes, .whole_request = context_ == nullptr},
-            [this](int fd) { pool_.Run([this, fd] { Serve(fd); }); }) {
+            [this](int fd) { pool_.Run([this, fd] { Serve(fd); }); }),
+        held_(kMostHeld, [this](auto connection) { pool_.Run([this, connection] { Answer(connection); }); }) {
     new_task_queue = [this] { return new RunAtOnce([this] { Stop(); }); };
   }
   ~TimedServer() override { Stop(); }
@@ -122,20 +126,28 @@ class TimedServer : public httplib::Server {
     return true;
   }
   void Serve(int fd) {
-    TimedConnection connection(fd, limits_, [this] { return pool_.others_wait(); });
-    if (context_ != nullptr && !connection.Encrypt(context_.get())) return;
-    current_connection = &connection;
+    auto connection = std::make_shared<TimedConnection>(fd, limits_, [this] { return pool_.others_wait(); });
+    if (context_ != nullptr && !connection->Encrypt(context_.get())) return;
+    Answer(std::move(connection));
+  }
+  void Answer(std::shared_ptr<TimedConnection> connection) {
+    current_connection = connection.get();
     bool closed = false;
-    process_request(connection, true, closed, [](httplib::Request& request) {
+    process_request(*connection, true, closed, [](httplib::Request& request) {
       request.ranges.clear();                    // an answer is whole: 8 KB of ranges made an answer of 0.2 GB
       request.headers.erase("Accept-Encoding");  // the library's compression takes a second for a megabyte
       request.set_header("Accept-Encoding", "");
     });
     current_connection = nullptr;
     current_until_sent.reset();  // the body is gone
+    const auto wait = std::exchange(current_wait, nullptr);
+    if (wait == nullptr) return;
+    connection->Rewind();
+    held_.Hold(std::move(connection), wait);
   }
   void Stop() {
     room_.Close();
+    held_.Close();
     std::call_once(stopped_, [this] { pool_.Shutdown(); });
   }
 
@@ -143,7 +155,8 @@ class TimedServer : public httplib::Server {
   const ConnectionLimits limits_;
   std::once_flag stopped_;
   BoundedPool pool_;
-  WaitingRoom room_;  // last: it uses the pool
+  WaitingRoom room_;  // it and the next use the pool
+  HeldConnections held_;
 };
 
 // Alternative names that are URIs, as over gRPC.
@@ -182,7 +195,9 @@ HttpRequest RequestOf(const httplib::Request& from) {
   for (const auto& [name, value] : from.params) request.query.emplace(name, value);
   for (const auto& [name, value] : from.headers) request.headers.emplace(absl::AsciiStrToLower(name), value);
   request.body = from.body;
-  if (current_connection != nullptr) SetCaller(*current_connection, request);
+  if (current_connection == nullptr) return request;
+  SetCaller(*current_connection, request);
+  request.has_waited = current_connection->was_rewound();
   return request;
 }
 
@@ -253,6 +268,11 @@ struct HttpServer::Impl {
 
 void HttpServer::Impl::Answer(const httplib::Request& request, httplib::Response& response) const {
   HttpAnswer answer = handler(RequestOf(request));
+  if (answer.wait != nullptr && current_connection != nullptr) {
+    current_connection->HoldAnswer();
+    current_wait = std::move(answer.wait);
+    return;
+  }
   current_until_sent = std::move(answer.until_sent);
   response.status = answer.status;
   for (const auto& [name, value] : answer.headers) response.set_header(name, value);

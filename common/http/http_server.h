@@ -25,6 +25,7 @@ struct HttpRequest {
   std::string address = {};                        // of the caller, "ADDRESS:PORT"
   std::string certificate_name = {};               // the common name of a checked certificate, "" without one
   std::vector<std::string> certificate_uris = {};  // its alternative names
+  bool has_waited = false;                         // HttpAnswer::wait was heeded: the request is handled once more
 
   // "" if there is none. `name` is in lower case.
   std::string Header(const std::string& name) const;
@@ -38,6 +39,10 @@ struct HttpAnswer {
   std::string body = {};
   std::vector<std::pair<std::string, std::string>> headers = {};
   std::shared_ptr<void> until_sent = nullptr;  // let go when the body was sent, or cannot be
+  // Of an answer that is to come later, else null. Nothing is sent, and the connection waits without a thread until
+  // `wake` is called; then the request is handled once more. `wake` may be called at any time, by any thread, more than
+  // once. What is returned is let go when the wait is over.
+  std::function<std::shared_ptr<void>(std::function<void()> wake)> wait = nullptr;
 };
 
 // Paths of PEM files, which are read again for each connection: new ones count at once.
@@ -56,7 +61,8 @@ struct HttpLimits {
 
 // 16 threads answer the connections from which a whole request came (of TLS its first byte). 64 such are served or wait
 // for a thread. 256 others wait without a thread (waiting_room.h); of more, those that came first are closed. So
-// connections that ask nothing, or ask byte by byte, delay nobody. A request has 64 KB at most, and without TLS a head
+// connections that ask nothing, or ask byte by byte, delay nobody. 256 more wait for their answer (HttpAnswer::wait);
+// of more, those that came first are handled at once. A request has 64 KB at most, and without TLS a head
 // of 16 KB (431). What may have a body needs its length before it (411).
 class HttpServer {
  public:

@@ -89,21 +89,29 @@ ssize_t TimedConnection::ReadSome(char* to, size_t size) {
 }
 
 ssize_t TimedConnection::read(char* to, size_t size) {
-  if (at_ == end_) {
-    if (read_bytes_ >= limits_.read_bytes || !HasTime()) return -1;
-    const ssize_t count = ReadSome(buffer_.data(), buffer_.size());
+  if (at_ == read_.size()) {
+    if (read_.size() >= limits_.read_bytes || !HasTime()) return -1;
+    std::array<char, 4096> part{};
+    const ssize_t count = ReadSome(part.data(), part.size());
     if (count <= 0) return count;
-    at_ = 0;
-    end_ = static_cast<size_t>(count);
-    read_bytes_ += end_;
+    read_.append(part.data(), static_cast<size_t>(count));
   }
-  const size_t given = std::min(size, end_ - at_);
-  std::memcpy(to, buffer_.data() + at_, given);
+  const size_t given = std::min(size, read_.size() - at_);
+  std::memcpy(to, read_.data() + at_, given);
   at_ += given;
   return static_cast<ssize_t>(given);
 }
 
+void TimedConnection::Rewind() {
+  at_ = 0;
+  begin_ = absl::Now();
+  allowed_while_others_wait_ = limits_.time_while_others_wait;
+  holds_answer_ = false;
+  was_rewound_ = true;
+}
+
 ssize_t TimedConnection::write(const char* from, size_t size) {
+  if (holds_answer_) return -1;
   StartWriting();
   if (!HasTime()) return -1;
   if (ssl_ != nullptr) {

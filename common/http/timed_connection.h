@@ -5,7 +5,6 @@
 #include <httplib.h>
 #include <openssl/ssl.h>
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -38,6 +37,11 @@ class TimedConnection : public httplib::Stream {
   bool is_writable() const override { return true; }
   ssize_t read(char* to, size_t size) override;
   ssize_t write(const char* from, size_t size) override;
+  // Nothing is sent from now on: writes fail.
+  void HoldAnswer() { holds_answer_ = true; }
+  // After HoldAnswer: what was read is read once more, with all the time for it and for the answer.
+  void Rewind();
+  bool was_rewound() const { return was_rewound_; }
   // The certificate that the other side has shown; null without one.
   std::unique_ptr<X509, void (*)(X509*)> PeerCertificate() const;
 
@@ -62,12 +66,12 @@ class TimedConnection : public httplib::Stream {
   const int fd_;
   const ConnectionLimits limits_;
   const std::function<bool()> others_wait_;
-  const absl::Time begin_;
+  absl::Time begin_;
   absl::Duration allowed_while_others_wait_;
   std::unique_ptr<SSL, FreeSsl> ssl_;  // null: plain text
-  std::array<char, 4096> buffer_{};    // the server reads byte by byte
-  size_t at_ = 0, end_ = 0;            // what of it is still to be read
-  size_t read_bytes_ = 0;
+  std::string read_;                   // all that came: the server reads byte by byte, and perhaps twice
+  size_t at_ = 0;                      // what of it is still to be read
+  bool holds_answer_ = false, was_rewound_ = false;
 };
 
 }  // namespace tilemend

@@ -3,9 +3,12 @@
 #include "absl/strings/str_cat.h"
 #include "common/util/error_info.h"
 #include "common/util/status_macros.h"
+#include "coordinator/api/job_wait.h"
 
 namespace tilemend {
 namespace {
+
+constexpr char kWatchJob[] = "tilemend.v1.Jobs/WatchJob";
 
 JobOrigin OriginOf(const Peer& peer, const Caller& caller) { return {caller.name, peer.trace}; }
 
@@ -36,6 +39,18 @@ absl::StatusOr<v1::Job> GuardedCalls::CreateJob(const Peer& peer, const v1::Crea
 absl::StatusOr<v1::Job> GuardedCalls::GetJob(const Peer& peer, const v1::GetJobRequest& request) const {
   return entrance_.Ask<v1::Job>(peer, "tilemend.v1.Jobs/GetJob",
                                 [&](const Caller&) { return calls_.jobs.GetJob(request); });
+}
+
+absl::StatusOr<v1::Job> GuardedCalls::WatchedJob(const Peer& peer, const v1::WatchJobRequest& request) const {
+  v1::GetJobRequest get;
+  get.set_name(request.name());
+  return entrance_.Ask<v1::Job>(peer, kWatchJob, [&](const Caller&) { return calls_.jobs.GetJob(get); });
+}
+
+std::shared_ptr<void> GuardedCalls::AwaitJob(const Peer& peer, const v1::WatchJobRequest& request,
+                                             std::function<void()> wake) const {
+  return tilemend::AwaitJob(
+      calls_.watch, request, [this, peer] { return entrance_.MayGoOn(peer, kWatchJob); }, std::move(wake));
 }
 
 absl::StatusOr<v1::ListJobsResponse> GuardedCalls::ListJobs(const Peer& peer,

@@ -83,6 +83,12 @@ class GuardedCalls {
   absl::StatusOr<Caller> Identify(const Peer& peer) const;
   absl::StatusOr<v1::Job> CreateJob(const Peer& peer, const v1::CreateJobRequest& request) const;
   absl::StatusOr<v1::Job> GetJob(const Peer& peer, const v1::GetJobRequest& request) const;
+  // The job as it is, as a watch's first state.
+  absl::StatusOr<v1::Job> WatchedJob(const Peer& peer, const v1::WatchJobRequest& request) const;
+  // Calls `wake` when the job has changed since `request.cursor`, or `peer` may not watch any more, as
+  // tilemend::AwaitJob.
+  std::shared_ptr<void> AwaitJob(const Peer& peer, const v1::WatchJobRequest& request,
+                                 std::function<void()> wake) const;
   absl::StatusOr<v1::ListJobsResponse> ListJobs(const Peer& peer, const v1::ListJobsRequest& request) const;
   absl::StatusOr<v1::Job> CancelJob(const Peer& peer, const v1::CancelJobRequest& request) const;
   absl::StatusOr<v1::Job> RetryJob(const Peer& peer, const v1::RetryJobRequest& request) const;

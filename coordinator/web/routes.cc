@@ -33,6 +33,8 @@ const std::vector<Route>& Routes() {
       {WebCall::kListJobs, kGet, "/v1/jobs", "tilemend.v1.Jobs/ListJobs", "tilemend.v1.ListJobsRequest",
        "tilemend.v1.ListJobsResponse", "Jobs, the newest first"},
       {WebCall::kGetJob, kGet, "/v1/jobs/{job}", "tilemend.v1.Jobs/GetJob", "", kJob, "One job"},
+      {WebCall::kWatchJob, kGet, "/v1/jobs/{job}/watch", "tilemend.v1.Jobs/WatchJob", "", kJob,
+       "One job, as soon as its cursor is not that of the query any more; after 20 s as it is", "cursor"},
       {WebCall::kGetCells, kGet, "/v1/jobs/{job}/cells", "tilemend.v1.Jobs/GetJob", "", "Cells",
        "How far each cell is, one letter a cell"},
       {WebCall::kListHoles, kGet, "/v1/jobs/{job}/holes", "tilemend.v1.Jobs/GetJob", "", "Holes",

@@ -15,6 +15,7 @@ enum class WebCall {
   kMe,
   kListJobs,
   kGetJob,
+  kWatchJob,
   kGetCells,
   kListHoles,
   kTileBefore,

@@ -2,6 +2,7 @@
 
 #include <google/protobuf/util/json_util.h>
 
+#include <cstdint>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -211,6 +212,8 @@ absl::StatusOr<HttpAnswer> WebApi::Read(const Match& match, const HttpRequest& r
       get.set_name(JobNameOf(match));
       return MessageAnswer(calls_.GetJob(peer, get));
     }
+    case WebCall::kWatchJob:
+      return Watch(match, request, peer);
     case WebCall::kGetCells:
       return Cells(JobNameOf(match), peer);
     case WebCall::kListHoles:
@@ -259,6 +262,24 @@ absl::StatusOr<HttpAnswer> WebApi::Me(const Peer& peer) const {
                             {"maySteer", caller.May(Role::kSubmit)},
                             {"isAdmin", caller.May(Role::kAdmin)},
                             {"listen", listen_}}));
+}
+
+absl::StatusOr<HttpAnswer> WebApi::Watch(const Match& match, const HttpRequest& request, const Peer& peer) {
+  v1::WatchJobRequest watch;
+  watch.set_name(JobNameOf(match));
+  TILEMEND_ASSIGN_OR_RETURN(const v1::Job job, calls_.WatchedJob(peer, watch));
+  uint64_t cursor = 0;
+  const auto given = request.query.find("cursor");
+  if (given != request.query.end() && !absl::SimpleAtoi(given->second, &cursor)) {
+    return absl::InvalidArgumentError("cursor: expected that of the last answer, a whole number");
+  }
+  TILEMEND_ASSIGN_OR_RETURN(HttpAnswer answer, JsonAnswer(job));
+  if (request.has_waited || job.cursor() > cursor || job.has_end_time()) return answer;
+  watch.set_cursor(cursor);
+  answer.wait = [this, peer, watch](std::function<void()> wake) {
+    return calls_.AwaitJob(peer, watch, std::move(wake));
+  };
+  return answer;
 }
 
 absl::StatusOr<HttpAnswer> WebApi::Cells(const std::string& name, const Peer& peer) {

@@ -36,7 +36,7 @@ class WebApi {
       : calls_(calls), log_(log), listen_(std::move(listen)) {}
 
   // The answer to a request below /v1/. Errors are {"error": {"code", "message", "reason", "metadata"}}. An answer to
-  // GET has an ETag; 304 if that is the one in If-None-Match.
+  // GET has an ETag; 304 if that is the one in If-None-Match. A watch without news waits (HttpAnswer::wait).
   HttpAnswer Answer(const HttpRequest& request);
 
  private:
@@ -44,6 +44,7 @@ class WebApi {
   absl::StatusOr<HttpAnswer> Read(const Match& match, const HttpRequest& request, const Peer& peer);
   absl::StatusOr<HttpAnswer> Steer(const Match& match, const HttpRequest& request, const Peer& peer);
   absl::StatusOr<HttpAnswer> Me(const Peer& peer) const;
+  absl::StatusOr<HttpAnswer> Watch(const Match& match, const HttpRequest& request, const Peer& peer);
   absl::StatusOr<HttpAnswer> Cells(const std::string& name, const Peer& peer);
   absl::StatusOr<HttpAnswer> Holes(const std::string& name, const Peer& peer);
   absl::StatusOr<HttpAnswer> Review(const std::string& name, const Peer& peer);

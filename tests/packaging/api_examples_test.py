@@ -22,7 +22,7 @@ service Health { rpc Check(HealthCheckRequest) returns (HealthCheckResponse); }
 '''
 # What the answer has, by a part of the command.
 EXPECTED = {
-    '/v1/jobs/4f1d6c0a9be2/priority': '"priority":10', '/v1/jobs/4f1d6c0a9be2': '"state":"RUNNING"', '/v1/workers': '{',
+    '/v1/jobs/4f1d6c0a9be2/priority': '"priority":10', '/v1/jobs/4f1d6c0a9be2/watch': '"cursor":', '/v1/jobs/4f1d6c0a9be2': '"state":"RUNNING"', '/v1/workers': '{',
     'list tilemend.v1.Jobs': 'tilemend.v1.Jobs.WatchJob', 'describe tilemend.v1.Job': 'cursor',
     'Jobs/CreateJob': '"jobs/', 'Jobs/GetJob': '"RUNNING"', 'Workers/ListWorkers': '{', 'Jobs/ListJobs': '{',
     'Health/Check': '"SERVING"'}

@@ -11,12 +11,15 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <functional>
 #include <memory>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "absl/synchronization/mutex.h"
 #include "absl/time/clock.h"
 #include "tests/support/certificates.h"
 #include "tests/support/http_get.h"
@@ -42,6 +45,15 @@ int Connected(int port) {
   address.sin_port = htons(static_cast<uint16_t>(port));
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   return connect(fd, reinterpret_cast<sockaddr*>(&address), sizeof(address)) == 0 ? fd : -1;
+}
+
+std::string ReadAll(int fd) {
+  std::string all;
+  std::array<char, 4096> part{};
+  for (ssize_t count = 0; (count = read(fd, part.data(), part.size())) > 0;)
+    all.append(part.data(), static_cast<size_t>(count));
+  close(fd);
+  return all;
 }
 
 TEST(HttpServerTest, HandsOverWhatIsAskedAndAnswersIt) {
@@ -121,11 +133,7 @@ TEST(HttpServerTest, DoesNothingForACallerThatWaitsToSendItsBody) {
   const int fd = Connected(server->port());
   const std::string head = "POST / HTTP/1.1\r\nHost: x\r\nContent-Length: 2\r\nExpect: 100-continue\r\n\r\nab";
   ASSERT_EQ(write(fd, head.data(), head.size()), static_cast<ssize_t>(head.size()));
-  std::string answer;
-  std::array<char, 4096> part{};
-  for (ssize_t count = 0; (count = read(fd, part.data(), part.size())) > 0;)
-    answer.append(part.data(), static_cast<size_t>(count));
-  close(fd);
+  const std::string answer = ReadAll(fd);
   EXPECT_TRUE(answer.starts_with("HTTP/1.1 417")) << answer;
   EXPECT_EQ(answer.find("HTTP/1.1", 1), std::string::npos) << "one answer: " << answer;
   EXPECT_EQ(calls, 0);
@@ -159,6 +167,103 @@ TEST(HttpServerTest, KeepsWhatAnAnswerHoldsUntilItIsSent) {
   EXPECT_GT(read_bytes, kMuch);
   for (int i = 0; i < 1000 && held.use_count() > 1; ++i) absl::SleepFor(absl::Milliseconds(10));
   EXPECT_EQ(held.use_count(), 1);
+}
+
+// A server that holds every request for /wait until it is told.
+class HoldingServer {
+ public:
+  explicit HoldingServer(HttpSecurity security = {})
+      : server_(Serve([this](const HttpRequest& request) { return Answer(request); }, std::move(security))) {}
+  // Those that wait have called; so many are there.
+  void AwaitHeld(size_t count) {
+    const absl::MutexLock lock(&mutex_);
+    const auto there = [&] { return held_.size() >= count; };
+    mutex_.Await(absl::Condition(&there));
+  }
+  void WakeAll() {
+    const absl::MutexLock lock(&mutex_);
+    for (const auto& wake : held_) wake();
+  }
+  int port() const { return server_->port(); }
+  std::shared_ptr<int> kept = std::make_shared<int>(0);  // by each wait
+
+ private:
+  HttpAnswer Answer(const HttpRequest& request) {
+    HttpAnswer answer{.body = absl::StrCat(request.body, request.has_waited ? " waited" : " at once")};
+    if (request.path != "/wait" || request.has_waited) return answer;
+    answer.wait = [this](std::function<void()> wake) {
+      const absl::MutexLock lock(&mutex_);
+      held_.push_back(std::move(wake));
+      return kept;
+    };
+    return answer;
+  }
+  absl::Mutex mutex_;
+  std::vector<std::function<void()>> held_;
+  std::unique_ptr<HttpServer> server_;  // last: it uses the others
+};
+
+constexpr char kWaitingPost[] = "POST /wait HTTP/1.1\r\nHost: x\r\nContent-Length: 4\r\n\r\nbody";
+
+TEST(HttpServerTest, AnswersThatWaitHoldNoThread) {
+  HoldingServer server;
+  std::vector<int> open;
+  for (int i = 0; i < 100; ++i) {
+    open.push_back(Connected(server.port()));
+    ASSERT_EQ(write(open.back(), kWaitingPost, sizeof(kWaitingPost) - 1),
+              static_cast<ssize_t>(sizeof(kWaitingPost) - 1));
+  }
+  server.AwaitHeld(100);  // 16 threads
+  EXPECT_THAT(HttpGet(server.port(), "/"), HasSubstr(" at once"));
+  char byte = 0;
+  EXPECT_EQ(recv(open.front(), &byte, 1, MSG_PEEK | MSG_DONTWAIT), -1) << "answered before it was woken";
+  server.WakeAll();
+  for (const int fd : open) EXPECT_THAT(ReadAll(fd), HasSubstr("\r\n\r\nbody waited"));
+  for (int i = 0; i < 1000 && server.kept.use_count() > 1; ++i) absl::SleepFor(absl::Milliseconds(10));
+  EXPECT_EQ(server.kept.use_count(), 1);
+}
+
+TEST(HttpServerTest, TheFirstOfTooManyThatWaitIsAnswered) {
+  HoldingServer server;
+  std::vector<int> open;
+  for (size_t i = 0; i < 257; ++i) {
+    open.push_back(Connected(server.port()));
+    ASSERT_EQ(write(open.back(), kWaitingPost, sizeof(kWaitingPost) - 1),
+              static_cast<ssize_t>(sizeof(kWaitingPost) - 1));
+    server.AwaitHeld(i + 1);
+  }
+  EXPECT_THAT(ReadAll(open.front()), HasSubstr("body waited"));
+  char byte = 0;
+  EXPECT_EQ(recv(open[1], &byte, 1, MSG_PEEK | MSG_DONTWAIT), -1);
+  for (size_t i = 1; i < open.size(); ++i) close(open[i]);
+}
+
+TEST(HttpServerTest, AnswersThatWaitEndWithTheServer) {
+  auto server = std::make_unique<HoldingServer>();
+  const std::shared_ptr<int> kept = server->kept;
+  const int fd = Connected(server->port());
+  ASSERT_EQ(write(fd, kWaitingPost, sizeof(kWaitingPost) - 1), static_cast<ssize_t>(sizeof(kWaitingPost) - 1));
+  server->AwaitHeld(1);
+  server = nullptr;
+  EXPECT_EQ(ReadAll(fd), "");
+  EXPECT_EQ(kept.use_count(), 1);
+}
+
+TEST(HttpServerTest, WaitsOverTlsAsWell) {
+  const TemporaryFolder folder;
+  const TestAuthority ours(folder.path(), "ours");
+  const TlsFiles own = ours.Issue("server", {"server"}), caller = ours.Issue("ann", {"ann", {"watch"}});
+  HoldingServer server({own.certificate, own.key, own.authority});
+  httplib::Client client(absl::StrCat("https://127.0.0.1:", server.port()), caller.certificate, caller.key);
+  client.set_ca_cert_path(ours.path());
+  std::thread waker([&] {
+    server.AwaitHeld(1);
+    server.WakeAll();
+  });
+  const auto result = client.Post("/wait", "body", "text/plain");
+  waker.join();
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->body, "body waited");
 }
 
 TEST(HttpServerTest, TwoThousandOpenConnectionsHoldNobodyUp) {

@@ -101,5 +101,20 @@ TEST_F(TimedConnectionTest, AnAnswerThatNobodyTakesEndsInTime) {
   EXPECT_EQ(count, -1);
 }
 
+TEST_F(TimedConnectionTest, GivesTheRequestOnceMoreAfterItsAnswerWasHeld) {
+  TimedConnection connection(ends_[0], {}, kNobodyWaits);
+  ASSERT_EQ(send(ends_[1], "question", 8, 0), 8);
+  shutdown(ends_[1], SHUT_WR);
+  EXPECT_EQ(ReadAll(connection), 8);
+  connection.HoldAnswer();
+  EXPECT_EQ(connection.write("early", 5), -1);
+  connection.Rewind();
+  EXPECT_TRUE(connection.was_rewound());
+  EXPECT_EQ(ReadAll(connection), 8);
+  EXPECT_EQ(connection.write("answer", 6), 6);
+  std::array<char, 16> answer{};
+  EXPECT_EQ(recv(ends_[1], answer.data(), answer.size(), 0), 6);
+}
+
 }  // namespace
 }  // namespace tilemend

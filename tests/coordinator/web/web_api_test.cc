@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "absl/strings/str_cat.h"
+#include "absl/synchronization/notification.h"
 #include "common/store/digest.h"
 #include "tests/coordinator/api/coordinator_fixture.h"
 #include "tests/support/list_log.h"
@@ -134,6 +135,52 @@ TEST_F(WebApiTest, WhatHasNotChangedIsNotSentAgain) {
   const std::string tag = TagOf(Get(job));
   Post(job + "/pause", "ann");
   EXPECT_EQ(Get(job, "eve", tag).status, 200);
+}
+
+// What a watch of `job` after `cursor` gives.
+HttpAnswer WatchOf(WebApi& api, const std::string& job, const std::string& cursor, bool has_waited = false) {
+  HttpRequest request{.method = "GET", .path = job + "/watch", .query = {{"cursor", cursor}}, .has_waited = has_waited};
+  request.headers["authorization"] = "Bearer eve";
+  return api.Answer(request);
+}
+
+TEST_F(WebApiTest, AWatchWaitsUntilTheJobChanges) {
+  const std::string job = NewJob();
+  AwaitTask();  // until then the job changes by itself
+  const std::string cursor = Json::parse(Get(job + "/watch").body)["cursor"];
+  EXPECT_EQ(Json::parse(Get(job + "/watch").body), Json::parse(Get(job).body));
+  const HttpAnswer answer = WatchOf(api_, job, cursor);
+  ASSERT_NE(answer.wait, nullptr);
+  absl::Notification woken;
+  const auto wait = answer.wait([&] { woken.Notify(); });
+  EXPECT_FALSE(woken.HasBeenNotified());
+  Post(job + "/pause", "ann");
+  woken.WaitForNotification();
+  const HttpAnswer next = WatchOf(api_, job, cursor, true);
+  EXPECT_EQ(next.wait, nullptr);
+  EXPECT_EQ(Json::parse(next.body)["paused"], true);
+  EXPECT_EQ(WatchOf(api_, job, cursor).wait, nullptr) << "the news is there";
+}
+
+TEST_F(WebApiTest, AWatchOfAJobThatIsOverDoesNotWait) {
+  const std::string job = NewJob();
+  Post(job + "/cancel", "ann");
+  const HttpAnswer answer = WatchOf(api_, job, "18446744073709551615");
+  EXPECT_EQ(answer.wait, nullptr);
+  EXPECT_EQ(Json::parse(answer.body)["state"], "CANCELLED");
+  EXPECT_EQ(WatchOf(api_, job, "x").status, 400);
+  EXPECT_EQ(WatchOf(api_, "/v1/jobs/none", "1").status, 404);
+}
+
+TEST_F(WebApiTest, AWatchIsWokenWhenTheCoordinatorEnds) {
+  const std::string job = NewJob();
+  AwaitTask();
+  const HttpAnswer answer = WatchOf(api_, job, "18446744073709551615");
+  ASSERT_NE(answer.wait, nullptr);
+  absl::Notification woken;
+  const auto wait = answer.wait([&] { woken.Notify(); });
+  coordinator_.StopWaiting();
+  woken.WaitForNotification();
 }
 
 TEST_F(WebApiTest, NoPathLeadsOut) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <future>
 #include <string>
 #include <utility>
 #include <vector>
@@ -89,6 +90,18 @@ TEST_F(WebServerTest, WhereCallersHaveNamesAnyHostNameWillDo) {
   ASSERT_TRUE(server.ok()) << server.status();
   EXPECT_THAT(HttpAsk((*server)->port(), "GET / HTTP/1.1\r\nHost: coordinator.example\r\n\r\n"),
               StartsWith("HTTP/1.1 200 "));
+}
+
+TEST_F(WebServerTest, AWatchIsAnsweredWhenTheJobIsOver) {
+  const v1::Job job = cluster_.Submit("toy://2x1");
+  const std::string path = "GET /v1/" + job.name() + "/watch?cursor=";
+  auto answer = std::async(std::launch::async, [&] {
+    return Ask(path + "18446744073709551615 HTTP/1.1\r\nHost: localhost");  // no state but the last is news
+  });
+  v1::CancelJobRequest cancel;
+  cancel.set_name(job.name());
+  ASSERT_TRUE(cluster_.coordinator().calls().jobs.CancelJob(cancel).ok());
+  EXPECT_THAT(answer.get(), HasSubstr("\"state\":\"CANCELLED\""));
 }
 
 TEST_F(WebServerTest, SaysIfItCannotServeThere) {

@@ -1,0 +1,112 @@
+#include "common/http/held_connections.h"
+
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "absl/synchronization/mutex.h"
+#include "absl/synchronization/notification.h"
+
+namespace tilemend {
+namespace {
+
+class HeldConnectionsTest : public ::testing::Test {
+ protected:
+  ~HeldConnectionsTest() override {
+    for (const int fd : others_) close(fd);
+  }
+  // A new one; the test's end of it is others_.back().
+  std::shared_ptr<TimedConnection> NewConnection() {
+    std::array<int, 2> ends{};
+    EXPECT_EQ(socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()), 0);
+    others_.push_back(ends[1]);
+    return std::make_shared<TimedConnection>(ends[0], ConnectionLimits(), [] { return false; });
+  }
+  void Take(std::shared_ptr<TimedConnection> connection) {
+    const absl::MutexLock lock(&mutex_);
+    left_.push_back(std::move(connection));
+  }
+  void AwaitLeft(size_t count) {
+    const absl::MutexLock lock(&mutex_);
+    const auto there = [&] { return left_.size() >= count; };
+    mutex_.Await(absl::Condition(&there));
+  }
+  bool IsClosed(size_t k) {
+    char byte = 0;
+    return recv(others_[k], &byte, 1, MSG_DONTWAIT) == 0;
+  }
+
+  std::vector<int> others_;
+  absl::Mutex mutex_;
+  std::vector<std::shared_ptr<TimedConnection>> left_;
+};
+
+TEST_F(HeldConnectionsTest, LeavesOnceWhenItIsWokenAndLetsGoOfTheWait) {
+  const auto kept = std::make_shared<int>(0);
+  std::function<void()> wake;
+  HeldConnections held(2, [&](auto connection) {
+    EXPECT_EQ(kept.use_count(), 1);
+    Take(connection);
+  });
+  held.Hold(NewConnection(), [&](std::function<void()> given) {
+    wake = std::move(given);
+    return kept;
+  });
+  EXPECT_EQ(kept.use_count(), 2);
+  wake();
+  wake();
+  AwaitLeft(1);
+  held.Close();
+  wake();
+  EXPECT_EQ(left_.size(), 1);
+}
+
+TEST_F(HeldConnectionsTest, MayBeWokenBeforeItIsHeld) {
+  HeldConnections held(2, [&](auto connection) { Take(connection); });
+  held.Hold(NewConnection(), [](const std::function<void()>& wake) {
+    wake();
+    return nullptr;
+  });
+  AwaitLeft(1);
+}
+
+TEST_F(HeldConnectionsTest, TheFirstMakesRoomAndWhoComesBesideAFullQueueIsClosed) {
+  absl::Mutex entered;
+  bool has_entered = false;
+  absl::Notification go_on;
+  HeldConnections held(1, [&](auto connection) {
+    entered.Lock();
+    has_entered = true;
+    entered.Unlock();
+    go_on.WaitForNotification();
+    Take(connection);
+  });
+  const HeldConnections::Wait forever = [](const std::function<void()>&) { return nullptr; };
+  for (int i = 0; i < 2; ++i) held.Hold(NewConnection(), forever);
+  entered.LockWhen(absl::Condition(&has_entered));  // the first leaves, and does not get away
+  entered.Unlock();
+  for (int i = 0; i < 2; ++i) held.Hold(NewConnection(), forever);  // of four, one leaves, one is woken, one is held
+  for (size_t k = 0; k < 4; ++k) EXPECT_EQ(IsClosed(k), k == 3) << k;
+  go_on.Notify();
+  AwaitLeft(2);
+}
+
+TEST_F(HeldConnectionsTest, ClosesAllInTheEnd) {
+  HeldConnections held(2, [&](auto connection) { Take(connection); });
+  held.Hold(NewConnection(), [](const std::function<void()>&) { return nullptr; });
+  EXPECT_FALSE(IsClosed(0));
+  held.Close();
+  EXPECT_TRUE(IsClosed(0));
+  held.Hold(NewConnection(), [](const std::function<void()>&) { return nullptr; });
+  EXPECT_TRUE(IsClosed(1));
+  EXPECT_TRUE(left_.empty());
+}
+
+}  // namespace
+}  // namespace tilemend
