@@ -46,7 +46,8 @@ void Limit(decltype(RLIMIT_AS) what, rlim_t most) {
 }
 
 void LimitFor(size_t bytes) {
-#ifndef __SANITIZE_ADDRESS__  // whose shadow of memory takes terabytes of address space
+// The shadow of memory of both takes terabytes of address space.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
   Limit(RLIMIT_AS, GdalMemory(bytes));
 #endif
   Limit(RLIMIT_CPU, GdalCpuSeconds(bytes));
