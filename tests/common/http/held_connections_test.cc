@@ -5,13 +5,12 @@
 #include <unistd.h>
 
 #include <array>
+#include <condition_variable>
 #include <functional>
+#include <future>
 #include <memory>
-#include <string>
+#include <mutex>
 #include <vector>
-
-#include "absl/synchronization/mutex.h"
-#include "absl/synchronization/notification.h"
 
 namespace tilemend {
 namespace {
@@ -29,13 +28,13 @@ class HeldConnectionsTest : public ::testing::Test {
     return std::make_shared<TimedConnection>(ends[0], ConnectionLimits(), [] { return false; });
   }
   void Take(std::shared_ptr<TimedConnection> connection) {
-    const absl::MutexLock lock(&mutex_);
+    const std::lock_guard<std::mutex> lock(mutex_);
     left_.push_back(std::move(connection));
+    changed_.notify_all();
   }
   void AwaitLeft(size_t count) {
-    const absl::MutexLock lock(&mutex_);
-    const auto there = [&] { return left_.size() >= count; };
-    mutex_.Await(absl::Condition(&there));
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait(lock, [&] { return left_.size() >= count; });
   }
   bool IsClosed(size_t k) {
     char byte = 0;
@@ -43,7 +42,8 @@ class HeldConnectionsTest : public ::testing::Test {
   }
 
   std::vector<int> others_;
-  absl::Mutex mutex_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
   std::vector<std::shared_ptr<TimedConnection>> left_;
 };
 
@@ -77,23 +77,20 @@ TEST_F(HeldConnectionsTest, MayBeWokenBeforeItIsHeld) {
 }
 
 TEST_F(HeldConnectionsTest, TheFirstMakesRoomAndWhoComesBesideAFullQueueIsClosed) {
-  absl::Mutex entered;
-  bool has_entered = false;
-  absl::Notification go_on;
+  std::promise<void> entered, go_on;
+  std::shared_future<void> may_go_on = go_on.get_future();
+  std::once_flag first;
   HeldConnections held(1, [&](auto connection) {
-    entered.Lock();
-    has_entered = true;
-    entered.Unlock();
-    go_on.WaitForNotification();
+    std::call_once(first, [&] { entered.set_value(); });
+    may_go_on.wait();
     Take(connection);
   });
   const HeldConnections::Wait forever = [](const std::function<void()>&) { return nullptr; };
   for (int i = 0; i < 2; ++i) held.Hold(NewConnection(), forever);
-  entered.LockWhen(absl::Condition(&has_entered));  // the first leaves, and does not get away
-  entered.Unlock();
+  entered.get_future().wait();                                      // the first leaves, and does not get away
   for (int i = 0; i < 2; ++i) held.Hold(NewConnection(), forever);  // of four, one leaves, one is woken, one is held
   for (size_t k = 0; k < 4; ++k) EXPECT_EQ(IsClosed(k), k == 3) << k;
-  go_on.Notify();
+  go_on.set_value();
   AwaitLeft(2);
 }
 

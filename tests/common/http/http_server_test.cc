@@ -11,15 +11,16 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <condition_variable>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "absl/synchronization/mutex.h"
 #include "absl/time/clock.h"
 #include "tests/support/certificates.h"
 #include "tests/support/http_get.h"
@@ -176,12 +177,11 @@ class HoldingServer {
       : server_(Serve([this](const HttpRequest& request) { return Answer(request); }, std::move(security))) {}
   // Those that wait have called; so many are there.
   void AwaitHeld(size_t count) {
-    const absl::MutexLock lock(&mutex_);
-    const auto there = [&] { return held_.size() >= count; };
-    mutex_.Await(absl::Condition(&there));
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait(lock, [&] { return held_.size() >= count; });
   }
   void WakeAll() {
-    const absl::MutexLock lock(&mutex_);
+    const std::lock_guard<std::mutex> lock(mutex_);
     for (const auto& wake : held_) wake();
   }
   int port() const { return server_->port(); }
@@ -192,13 +192,15 @@ class HoldingServer {
     HttpAnswer answer{.body = absl::StrCat(request.body, request.has_waited ? " waited" : " at once")};
     if (request.path != "/wait" || request.has_waited) return answer;
     answer.wait = [this](std::function<void()> wake) {
-      const absl::MutexLock lock(&mutex_);
+      const std::lock_guard<std::mutex> lock(mutex_);
       held_.push_back(std::move(wake));
+      changed_.notify_all();
       return kept;
     };
     return answer;
   }
-  absl::Mutex mutex_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
   std::vector<std::function<void()>> held_;
   std::unique_ptr<HttpServer> server_;  // last: it uses the others
 };

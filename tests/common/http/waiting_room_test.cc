@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <semaphore>
 #include <string>
 
@@ -55,7 +56,7 @@ class WaitingRoomTest : public ::testing::Test {
     EXPECT_EQ(left_, asking.theirs);
   }
   std::binary_semaphore leave_{0};
-  int left_ = -1;
+  std::atomic<int> left_ = -1;
 };
 
 TEST_F(WaitingRoomTest, AConnectionLeavesWhenItsRequestIsThere) {
