@@ -34,9 +34,7 @@ std::vector<FlagSpec> StartFlags() {
               Advanced({{"request-id", "ID", "a second call with the same ID gives the same job", ""}}));
 }
 
-FlagSpec VerboseFlag() {
-  return {"verbose", "", "on a terminal: show the job, its phases and its tasks as well", "", 'v'};
-}
+FlagSpec VerboseFlag() { return {"verbose", "", "show the job, its phases and its tasks as well", "", 'v'}; }
 
 std::vector<FlagSpec> LocalFlags() {
   return Join(

@@ -122,10 +122,10 @@ absl::StatusOr<v1::Job> RunEmbedded(const v1::JobSpec& spec, const Means& means,
   return end;
 }
 
-// The same, shown as `is_brief` says.
+// The same, shown as `is_plain` says.
 absl::StatusOr<v1::Job> RunAndShow(const v1::JobSpec& spec, const Means& means, const std::string& work_folder,
-                                   SignalWatcher& signals, bool is_brief) {
-  if (is_brief) {
+                                   SignalWatcher& signals, bool is_plain) {
+  if (is_plain) {
     RunDisplay display;
     return RunEmbedded(spec, means, work_folder, signals, [&display](const v1::Job& job) { display.Show(job); });
   }
@@ -149,6 +149,10 @@ bool LacksPage(const v1::Job& job) {
          KindOf(job.spec().out() + "/report.html") == PathKind::kNothing;
 }
 
+std::string PageLine(const std::string& page) {
+  return absl::StrCat("page: ", Printable(page), " (open it in a browser)\n");
+}
+
 // The path of the page, which it writes beside a new report; "" without one. Without it the output is complete.
 std::string WritePage(const v1::Job& job) {
   if (job.report().empty()) return "";
@@ -158,19 +162,37 @@ std::string WritePage(const v1::Job& job) {
   return "";
 }
 
-// The job unless `is_brief`, what its report says, and the path of the page.
-void PrintEnd(const v1::Job& job, OutputFormat format, bool is_brief, const std::string& page) {
-  const bool is_table = format == OutputFormat::kTable;
-  if (!is_brief || job.report().empty()) std::fputs(JobText(is_table ? Shown(job) : job, format).c_str(), stdout);
+// The job, and what its report says.
+void PrintJob(const v1::Job& job, OutputFormat format, const std::string& page) {
+  std::fputs(JobText(format == OutputFormat::kTable ? Shown(job) : job, format).c_str(), stdout);
   if (format == OutputFormat::kJson || job.report().empty()) return;
   const auto report = ReportOf(job);
   if (!report.ok()) {
     PrintError(report.status());
     return;
   }
+  std::fputs(SummaryText(*report, ColumnsOfTerminal(STDOUT_FILENO)).c_str(), stdout);
+  if (!page.empty()) std::fputs(("\n" + PageLine(page)).c_str(), stdout);
+}
+
+// The result, without a word on jobs and tasks: on a terminal short, else whole.
+void PrintResult(const v1::Job& job, const std::string& scene, const std::string& page) {
+  if (job.report().empty()) {
+    std::fputs(EndWithoutReport(job).c_str(), stdout);
+    return;
+  }
+  const auto report = ReportOf(job);
+  if (!report.ok()) {
+    PrintError(report.status());
+    return;
+  }
   const size_t columns = ColumnsOfTerminal(STDOUT_FILENO);
-  std::fputs((is_brief ? ResultText(*report, columns) : SummaryText(*report, columns)).c_str(), stdout);
-  if (!page.empty()) std::printf("\npage: %s (open it in a browser)\n", Printable(page).c_str());
+  const bool is_short = ::isatty(STDOUT_FILENO) == 1;
+  std::fputs((is_short ? ResultText(*report, columns) : FilledText(*report) + SummaryText(*report, columns)).c_str(),
+             stdout);
+  const std::string where = page.empty() ? absl::StrCat("report: ", Printable(job.report()), "\n") : PageLine(page);
+  const std::string check = CanBeChecked(job) ? CheckLine(scene, job.spec().out()) : "";
+  std::fputs(absl::StrCat("\n", where, check).c_str(), stdout);
 }
 
 }  // namespace
@@ -186,10 +208,8 @@ int RunCommand(const Args& args) {
   const auto work_folder = WorkFolder::Make(args.Text("work"));
   if (!work_folder.ok()) return PrintError(work_folder.status());
   KeepHeap(means->threads);
-  // For a person; what is read by a program stays as it is.
-  const bool is_brief = *format == OutputFormat::kTable && !args.Switch("verbose") && ::isatty(STDOUT_FILENO) == 1 &&
-                        ::isatty(STDERR_FILENO) == 1;
-  const auto job = RunAndShow(*spec, *means, work_folder->path(), signals, is_brief);
+  const bool is_plain = *format == OutputFormat::kTable && !args.Switch("verbose");
+  const auto job = RunAndShow(*spec, *means, work_folder->path(), signals, is_plain);
   if (!job.ok()) return PrintError(job.status());
   if (job->state() == v1::FAILED) PrintError(StatusFromProto(job->error()));
   if (LeftUnfinished(*job)) {
@@ -204,8 +224,11 @@ int RunCommand(const Args& args) {
   }
   // A job that failed before its first phase has nothing more to tell.
   const bool only_error = job->state() == v1::FAILED && job->progress().phase().empty();
-  if (!only_error || *format == OutputFormat::kJson) PrintEnd(*job, *format, is_brief, page);
-  if (is_brief && CanBeChecked(*job)) std::fputs(CheckLine(args.arguments().front(), args.Text("out")).c_str(), stdout);
+  if (is_plain) {
+    PrintResult(*job, args.arguments().front(), page);
+  } else if (!only_error || *format == OutputFormat::kJson) {
+    PrintJob(*job, *format, page);
+  }
   return ExitCodeOf(*job);
 }
 

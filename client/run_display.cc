@@ -32,21 +32,6 @@ std::string Counts(const char* name, int64_t done, int64_t all) {
   return all == 0 ? "" : absl::StrCat(", ", done, " of ", all, " ", name);
 }
 
-// "81 of 84 holes filled, 6551.8 m2", of the cells that were chosen.
-std::string FilledText(const Json& report) {
-  size_t holes = 0, filled = 0;
-  double area = 0;
-  for (const Json& hole : Member(report, "per_hole")) {
-    if (Member(hole, "reason") == kNotChosen) continue;
-    ++holes;
-    if (Text(Member(hole, "outcome")) != "filled") continue;
-    ++filled;
-    area += Number(Member(hole, "area_m2"));
-  }
-  return absl::StrCat(filled, " of ", Counted(holes, "hole"), " filled, ", HoleColumns(report).Area(area), " m2",
-                      UncountedText(report), "\n");
-}
-
 // "61 of 64 tiles kept as they were", where some were.
 std::string KeptText(const Json& report) {
   const Json &tasks = Member(report, "tasks"), &all = Member(tasks, "tiles"), &kept = Member(tasks, "tiles_kept");
@@ -72,13 +57,34 @@ std::string StageText(const v1::Job& job) {
   return name;
 }
 
+std::string FilledText(const Json& report) {
+  size_t holes = 0, filled = 0;
+  double area = 0;
+  for (const Json& hole : Member(report, "per_hole")) {
+    if (Member(hole, "reason") == kNotChosen) continue;
+    ++holes;
+    if (Text(Member(hole, "outcome")) != "filled") continue;
+    ++filled;
+    area += Number(Member(hole, "area_m2"));
+  }
+  return absl::StrCat(filled, " of ", Counted(holes, "hole"), " filled, ", HoleColumns(report).Area(area), " m2",
+                      UncountedText(report), "\n");
+}
+
+std::string EndWithoutReport(const v1::Job& job) {
+  if (job.state() == v1::FAILED) return "";
+  std::string text;
+  for (const std::string& warning : job.warnings()) absl::StrAppend(&text, "warning: ", Printable(warning), "\n");
+  return absl::StrCat(text, job.state() == v1::CANCELLED ? "cancelled" : Printable(job.message()), "\n");
+}
+
 std::string ResultText(const Json& report, size_t columns) {
   return absl::StrCat(FilledText(report), KeptText(report), WarningLines(report),
                       WaterText(report, "filled flat as water", columns), ReviewText(report, columns),
                       LookAtText(report, columns), LeftText(report, "left open", columns));
 }
 
-RunDisplay::RunDisplay() : begin_(absl::Now()) {}
+RunDisplay::RunDisplay() : is_terminal_(::isatty(STDERR_FILENO) == 1), begin_(absl::Now()) {}
 
 RunDisplay::~RunDisplay() { EndStage(); }
 
@@ -95,7 +101,9 @@ void RunDisplay::Show(const v1::Job& job) {
     EndStage();
     stage_ = std::move(stage);
     begin_ = absl::Now();
+    if (!is_terminal_) std::fprintf(stderr, "%s\n", stage_.c_str());
   }
+  if (!is_terminal_) return;
   share_ = std::max(share_, ShareDone(p.phase(), p.cells(), p.cells_done(), p.tasks(), p.tasks_done()));
   EraseBar();
   std::fputs(BarLine(share_, StageText(job), ColumnsOfTerminal(STDERR_FILENO)).c_str(), stderr);

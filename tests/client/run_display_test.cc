@@ -34,6 +34,18 @@ TEST(StageTextTest, StagesAreInWordsOfTheUser) {
   EXPECT_EQ(StageText(JobIn("a new phase")), "a new phase");
 }
 
+TEST(EndWithoutReportTest, SaysWhatWasFoundWithItsWarnings) {
+  v1::Job job = JobIn("plan");
+  job.set_state(v1::DONE);
+  job.set_message("3 holes found");
+  job.add_warnings("no area");
+  EXPECT_EQ(EndWithoutReport(job), "warning: no area\n3 holes found\n");
+  job.set_state(v1::CANCELLED);
+  EXPECT_THAT(EndWithoutReport(job), ::testing::EndsWith("cancelled\n"));
+  job.set_state(v1::FAILED);
+  EXPECT_EQ(EndWithoutReport(job), "") << "the error is shown";
+}
+
 TEST(ResultTextTest, SaysWhatWasFilledWhereTheWaterIsAndWhereToLook) {
   const auto report = nlohmann::ordered_json::parse(R"({
     "per_hole": [{"id": 0, "cell": [0, 0], "centre": [1, 2], "area_m2": 20.5, "outcome": "filled"},

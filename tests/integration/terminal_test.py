@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""`tilemend demo` and `tilemend run` as a person at a terminal sees them: terminal_test.py BIN"""
+"""`tilemend demo` and `tilemend run` as a person sees them, at a terminal and through a pipe: terminal_test.py BIN"""
 import os
 import pty
+import re
 import subprocess
 import sys
 import tempfile
@@ -33,6 +34,30 @@ def expect(is_true, what, shown):
         raise SystemExit(f'FAILED: {what}:\n{shown}')
 
 
+def check_pipe(scene, out):
+    """Into files: the same words in lines, the whole summary, and the job with -v alone."""
+    def piped(*words):
+        done = subprocess.run([BIN, 'run', scene, *words], text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        expect(done.returncode == 0, f'run {words} ends with {done.returncode}', done.stdout + done.stderr)
+        return done
+
+    plain = piped('--out', out)
+    shown = plain.stdout + plain.stderr
+    for word in (*OF_PROGRAMS, 'state ', '\r', '\033'):
+        expect(word not in shown, f'run into a pipe shows {word!r}', shown)
+    expect(plain.stdout.startswith('10 of 10 holes filled') and 'kind of hole ' in plain.stdout, 'no summary', plain.stdout)
+    expect(plain.stdout.endswith(f'page: {out}/report.html (open it in a browser)\ncheck: tilemend check {scene} {out}\n'),
+           'the page is not named', plain.stdout)
+    lines = plain.stderr.splitlines()
+    for begins, ends in zip(lines[::2], lines[1::2]):
+        expect(re.fullmatch(re.escape(begins) + r', [0-9]+\.[0-9] s', ends), 'a stage does not begin and end in a line', plain.stderr)
+    expect(lines[-2:-1] == ['write the tiles'], 'the last stage is missing', plain.stderr)  # a short one may pass unseen
+    dry = piped('--dry-run')
+    expect(dry.stdout.startswith('10 holes found, nothing written') and 'task' not in dry.stdout, 'dry run', dry.stdout)
+    shown = piped('--out', out + '_v', '-v').stdout
+    expect(shown.startswith('state    done') and 'tasks ' in shown and 'jobs/' not in shown, 'run -v into a pipe', shown)
+
+
 def main():
     with tempfile.TemporaryDirectory(prefix='tilemend-terminal-') as folder:
         demo = os.path.join(folder, 'demo')
@@ -60,11 +85,7 @@ def main():
         code, shown = at_terminal('demo', mine)
         expect(code == 4 and os.listdir(mine) == ['letter.txt'], 'demo writes into a folder of somebody else', shown)
 
-        piped = subprocess.run([BIN, 'run', f'{demo}/scene', '--out', f'{folder}/piped'], text=True, stdout=subprocess.PIPE,
-                               stderr=subprocess.PIPE)
-        expect(piped.stdout.startswith('state    done'), 'what programs read has changed', piped.stdout)
-        expect(f'page: {folder}/piped/report.html' in piped.stdout, 'the page is not named', piped.stdout)
-        expect('jobs/' not in piped.stdout + piped.stderr, 'a job is named', piped.stdout + piped.stderr)
+        check_pipe(f'{demo}/scene', f'{folder}/piped')
     print('a terminal shows stages and the result')
 
 
