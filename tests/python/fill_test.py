@@ -5,7 +5,6 @@ Adapters are tested with the libraries that are installed; the others are named 
 """
 import json
 import os
-import pathlib
 import random
 import re
 import signal
@@ -22,7 +21,6 @@ BIN, PACKAGE = sys.argv[1:3] if len(sys.argv) > 2 else (None, None)
 sys.path.insert(0, PACKAGE)
 import tilemend  # noqa: E402
 from meshes import plane, ply_bytes, sphere  # noqa: E402
-from optional_modules import need  # noqa: E402
 
 MESHES = {'sphere': sphere, 'plane': plane}
 
@@ -364,73 +362,6 @@ class LongWorkTest(unittest.TestCase):
         for thread in threads:
             thread.join()
         self.assertEqual(results, [expected] * 4)
-
-
-class AdapterTest(unittest.TestCase):
-    def setUp(self):
-        self.vertices, self.faces = sphere()
-        self.expected = tilemend.fill(self.vertices, self.faces)
-
-    def test_trimesh(self):
-        trimesh = need(self, 'trimesh')
-        filled = tilemend.fill_mesh(trimesh.Trimesh(self.vertices, self.faces, process=False))
-        self.assertTrue(filled.is_watertight)
-        np.testing.assert_array_equal(filled.faces, self.expected.faces)
-
-    def test_meshio(self):
-        meshio = need(self, 'meshio')
-        filled = tilemend.fill_mesh(meshio.Mesh(self.vertices, [('triangle', self.faces)]))
-        np.testing.assert_array_equal(filled.points, self.expected.vertices)
-        np.testing.assert_array_equal(filled.cells_dict['triangle'], self.expected.faces)
-        self.assertEqual(filled.cell_data['tilemend_filled'][0].sum(), self.expected.filled.sum())
-        with self.assertRaisesRegex(ValueError, 'mesh.cells: has quad; expected triangles'):
-            tilemend.fill_mesh(meshio.Mesh(self.vertices, [('quad', [[0, 1, 2, 3]])]))
-
-    def test_facts_come_beside_the_mesh(self):
-        meshio = need(self, 'meshio')
-        mesh, facts = tilemend.fill_mesh(meshio.Mesh(self.vertices, [('triangle', self.faces)]), return_filled=True,
-                                         largest_hole=5)
-        self.assertEqual((len(mesh.points), facts.left[0]['count']), (len(self.vertices), 1))
-
-    def test_meshio_of_a_class_of_the_users(self):
-        meshio = need(self, 'meshio')
-
-        class Survey(meshio.Mesh):
-            pass
-
-        filled = tilemend.fill_mesh(Survey(self.vertices, [('triangle', self.faces)]))
-        np.testing.assert_array_equal(filled.cells_dict['triangle'], self.expected.faces)
-
-    def test_open3d(self):
-        open3d = need(self, 'open3d')
-        mesh = open3d.geometry.TriangleMesh(open3d.utility.Vector3dVector(self.vertices),
-                                            open3d.utility.Vector3iVector(self.faces))
-        filled = tilemend.fill_mesh(mesh)
-        self.assertTrue(filled.is_watertight())
-        np.testing.assert_array_equal(np.asarray(filled.triangles), self.expected.faces)
-
-    def test_pyvista(self):
-        pyvista = need(self, 'pyvista')
-        cells = np.hstack([np.full((len(self.faces), 1), 3), self.faces]).ravel()
-        filled = tilemend.fill_mesh(pyvista.PolyData(self.vertices, cells))
-        np.testing.assert_array_equal(filled.faces.reshape(-1, 4)[:, 1:], self.expected.faces)
-        self.assertEqual(filled.n_open_edges, 0)
-
-    def test_anything_else_is_refused_by_name(self):
-        with self.assertRaisesRegex(TypeError, 'builtins.dict is no trimesh.Trimesh, meshio.Mesh'):
-            tilemend.fill_mesh({})
-        for path in ('a.ply', pathlib.Path('a.ply')):
-            with self.assertRaisesRegex(TypeError, 'takes a mesh object, not a path; .*meshio.read'):
-                tilemend.fill_mesh(path)
-
-    def test_tables(self):
-        need(self, 'pandas')
-        table = self.expected.holes_table()
-        self.assertEqual(list(table['outcome']), ['filled'])
-        self.assertEqual(list(table)[:5], ['column', 'row', 'x', 'y', 'z'])
-        self.assertEqual(table.loc[0, 'area_m2'], self.expected.holes[0]['area_m2'])
-        without = tilemend.fill(*sphere(hole=0)).holes_table()
-        self.assertEqual((len(without), without['area_m2'].sum()), (0, 0))
 
 
 if __name__ == '__main__':
