@@ -26,14 +26,13 @@ function parse(bytes: ArrayBuffer): Tileset {
   return tileset;
 }
 
-// Why a model is not shown that could be.
-class NotShown extends Error {
-  constructor(readonly isMissing: boolean) { super(isMissing ? 'missing' : 'too much for one picture'); }
-}
+const NOTHING = new ArrayBuffer(0); // in place of a model that is not shown
 
 // A plugin of the library: files come by the coordinator's routes alone, and all that is in focus is wanted at its finest.
 class CellFiles {
   bytes = 0;
+  missing = 0; // models
+  left = 0;    // too much for one picture
   private readonly base: URL;
   private readonly wanted: OBB | null;
 
@@ -50,15 +49,22 @@ class CellFiles {
   async fetchData(url: string): Promise<Tileset | ArrayBuffer> {
     if (url === this.rootUrl) return this.root;
     const { origin, pathname } = new URL(url);
-    if (origin !== this.base.origin || !pathname.startsWith(this.base.pathname)) throw new NotShown(true);
-    const file = decodeURIComponent(pathname.slice(this.base.pathname.length)), isTileset = file.endsWith('.json');
-    if (!isTileset && this.bytes > MOST_BYTES) throw new NotShown(false);
-    const read = await getTileIfThere(this.path, file);
-    if (!read) throw new NotShown(true);
+    const isInside = origin === this.base.origin && pathname.startsWith(this.base.pathname), isTileset = pathname.endsWith('.json');
+    if (!isTileset && this.bytes > MOST_BYTES) return this.without('left');
+    const read = isInside ? await getTileIfThere(this.path, decodeURIComponent(pathname.slice(this.base.pathname.length))) : null;
+    if (!read) return this.without('missing');
     if (isTileset) return parse(read.bytes);
     this.bytes += read.bytes.byteLength;
     return read.bytes;
   }
+
+  private without(why: 'missing' | 'left'): ArrayBuffer {
+    ++this[why];
+    return NOTHING;
+  }
+
+  // The library reads what this does not.
+  parseTile(content: unknown): Promise<void> | null { return content === NOTHING ? Promise.resolve() : null; }
 
   calculateTileViewError(tile: Node, target: { inView: boolean; error: number; distance: number }): true {
     const { boundingVolume } = (tile as Node & { engineData: { boundingVolume: { intersectsOBB(box: OBB): boolean } } }).engineData;
@@ -83,6 +89,8 @@ async function load(files: CellFiles): Promise<{ models: Object3D[]; failures: E
   tiles.downloadQueue.maxJobsPerOrigin = DOWNLOADS;
   tiles.downloadQueue.priorityCallback = () => 0;
   tiles.loadAncestors = tiles.loadSiblings = false; // the finest alone
+  const urls = new Map<Object3D, string>();
+  tiles.addEventListener('load-model', ({ scene, url }) => urls.set(scene, String(url)));
   tiles.addEventListener('load-error', ({ error }) => failures.push(error));
   for (;;) {
     tiles.update();
@@ -91,7 +99,8 @@ async function load(files: CellFiles): Promise<{ models: Object3D[]; failures: E
     await new Promise((resolve) => { requestAnimationFrame(resolve); });
   }
   draco.dispose();
-  return { models: [...tiles.group.children], failures };
+  const models = [...tiles.group.children].sort((a, b) => (urls.get(a)! < urls.get(b)! ? -1 : 1)); // else as they came
+  return { models, failures };
 }
 
 const mapOf = (material: Material): Texture | null => (material as Material & { map?: Texture | null }).map ?? null;
@@ -112,11 +121,10 @@ function surfacesOf(model: Object3D, toScene: Matrix4, textures: Map<string, Tex
   return surfaces;
 }
 
-// Why the tileset cannot be drawn, if it cannot.
-function errorOf(failures: Error[]): Error | null {
-  const first = failures.find((failure) => !(failure instanceof NotShown));
-  const coding = ['MESHOPT', 'KTX2'].find((name) => first?.message.toUpperCase().includes(name));
-  return coding ? new Error(`This page does not draw models that are compressed with ${coding}.`) : first ?? null;
+// Why the tileset cannot be drawn.
+function told(error: Error): Error {
+  const coding = ['MESHOPT', 'KTX2'].find((name) => error.message.toUpperCase().includes(name));
+  return coding ? new Error(`This page does not draw models that are compressed with ${coding}.`) : error;
 }
 
 // `frame`: that of the tile before, whose volume may have grown since.
@@ -124,12 +132,11 @@ export async function readTileset(path: string, file: TileFile, focus: Focus | n
   const tileset = parse(file.bytes), { root } = tileset;
   const transform = new Matrix4().fromArray(root.transform ?? new Matrix4().toArray());
   const toScene = frame ?? (file.frame ? new Matrix4().fromArray(file.frame) : sceneFrame(root.boundingVolume, transform));
-  const { models, failures } = await load(new CellFiles(path, tileset, focus, toScene));
-  const error = errorOf(failures);
-  if (error) throw error;
+  const files = new CellFiles(path, tileset, focus, toScene), { models, failures } = await load(files), { missing, left } = files;
+  if (failures[0]) throw told(failures[0]);
   const textures = new Map<string, Texture>(), surfaces = models.flatMap((model) => surfacesOf(model, toScene, textures));
-  const missing = (failures as NotShown[]).filter(({ isMissing }) => isMissing).length, left = failures.length - missing, notes: string[] = [];
-  if (left > 0) notes.push(`${left} of ${models.length + failures.length} models are not shown: choose a hole to see its surroundings.`);
+  const notes: string[] = [];
+  if (left > 0) notes.push(`${left} of ${models.length + missing + left} models are not shown: choose a hole to see its surroundings.`);
   if (missing > 0) notes.push(`Models that are missing: ${missing}.`);
   return { surfaces, notes, frame: toScene, texture: async (image) => textures.get(image) ?? null };
 }
