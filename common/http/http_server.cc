@@ -113,7 +113,7 @@ class TimedServer : public httplib::Server {
         room_(
             {.time = std::min(limits.time, kMostIdle), .body_bytes = body_bytes, .whole_request = context_ == nullptr},
             [this](int fd) { pool_.Run([this, fd] { Serve(fd); }); }),
-        held_(kMostHeld, [this](auto connection) { pool_.Run([this, connection] { Answer(connection); }); }) {
+        held_(kMostHeld, [this](auto connection) { pool_.Run([this, connection] { AnswerHeld(connection); }); }) {
     new_task_queue = [this] { return new RunAtOnce([this] { Stop(); }); };
   }
   ~TimedServer() override { Stop(); }
@@ -141,9 +141,11 @@ class TimedServer : public httplib::Server {
     current_connection = nullptr;
     current_until_sent.reset();  // the body is gone
     const auto wait = std::exchange(current_wait, nullptr);
-    if (wait == nullptr) return;
-    connection->Rewind();
-    held_.Hold(std::move(connection), wait);
+    if (wait != nullptr) held_.Hold(std::move(connection), wait);
+  }
+  void AnswerHeld(std::shared_ptr<TimedConnection> connection) {
+    connection->Rewind();  // now, since from here on its time counts
+    Answer(std::move(connection));
   }
   void Stop() {
     room_.Close();

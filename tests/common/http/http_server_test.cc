@@ -33,8 +33,8 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-std::unique_ptr<HttpServer> Serve(HttpServer::Handler handler, HttpSecurity security = {}) {
-  auto server = HttpServer::Start("127.0.0.1:0", "pages", std::move(handler), std::move(security));
+std::unique_ptr<HttpServer> Serve(HttpServer::Handler handler, HttpSecurity security = {}, HttpLimits limits = {}) {
+  auto server = HttpServer::Start("127.0.0.1:0", "pages", std::move(handler), std::move(security), limits);
   EXPECT_TRUE(server.ok()) << server.status();
   return server.ok() ? *std::move(server) : nullptr;
 }
@@ -173,8 +173,8 @@ TEST(HttpServerTest, KeepsWhatAnAnswerHoldsUntilItIsSent) {
 // A server that holds every request for /wait until it is told.
 class HoldingServer {
  public:
-  explicit HoldingServer(HttpSecurity security = {})
-      : server_(Serve([this](const HttpRequest& request) { return Answer(request); }, std::move(security))) {}
+  explicit HoldingServer(HttpSecurity security = {}, HttpLimits limits = {})
+      : server_(Serve([this](const HttpRequest& request) { return Answer(request); }, std::move(security), limits)) {}
   // Those that wait have called; so many are there.
   void AwaitHeld(size_t count) {
     std::unique_lock<std::mutex> lock(mutex_);
@@ -223,6 +223,16 @@ TEST(HttpServerTest, AnswersThatWaitHoldNoThread) {
   for (const int fd : open) EXPECT_THAT(ReadAll(fd), HasSubstr("\r\n\r\nbody waited"));
   for (int i = 0; i < 1000 && server.kept.use_count() > 1; ++i) absl::SleepFor(absl::Milliseconds(10));
   EXPECT_EQ(server.kept.use_count(), 1);
+}
+
+TEST(HttpServerTest, TheTimeOfAnAnswerThatWaitedBeginsWhenItIsWoken) {
+  HoldingServer server({}, {.time = absl::Milliseconds(200)});
+  const int fd = Connected(server.port());
+  ASSERT_EQ(write(fd, kWaitingPost, sizeof(kWaitingPost) - 1), static_cast<ssize_t>(sizeof(kWaitingPost) - 1));
+  server.AwaitHeld(1);
+  absl::SleepFor(absl::Milliseconds(300));
+  server.WakeAll();
+  EXPECT_THAT(ReadAll(fd), HasSubstr("body waited"));
 }
 
 TEST(HttpServerTest, TheFirstOfTooManyThatWaitIsAnswered) {
