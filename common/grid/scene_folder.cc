@@ -301,6 +301,23 @@ std::string GridWarning(const Scene& scene, size_t looked_at) {
       scene.root, tiles, grid.cell_size.x(), grid.cell_size.y(), grid.corner.x(), grid.corner.y());
 }
 
+// The tiles as their names number them, with the place on the Earth.
+absl::StatusOr<Scene> NamedTiles(const std::string& root, const Findings& findings) {
+  Scene scene;
+  scene.root = root;
+  scene.found_by_name = true;
+  scene.warnings = findings.warnings;
+  TILEMEND_RETURN_IF_ERROR(ReadMetadata(root, findings.in_folders, &scene));
+  for (const auto& [cell, file] : findings.tiles) {
+    scene.tiles.push_back({cell, file.lexically_relative(root).string()});
+    if (!IsUtf8(scene.tiles.back().path)) {
+      return absl::InvalidArgumentError(
+          absl::StrCat(Printable(file.string()), ": a file name that is not UTF-8; rename it"));
+    }
+  }
+  return scene;
+}
+
 }  // namespace
 
 absl::Status ParseMetadata(const std::string& text, const std::string& path, Scene* scene) {
@@ -333,22 +350,19 @@ absl::Status NumberCells(Scene* scene) {
 absl::StatusOr<Scene> FindScene(const std::string& root, const HullReader& read_hull) {
   if (!read_hull) return absl::FailedPreconditionError(absl::StrCat(root, ": no scene.json, and no reader of tiles"));
   TILEMEND_ASSIGN_OR_RETURN(const Findings findings, FindTiles(root));
-  Scene scene;
-  scene.root = root;
-  scene.found_by_name = true;
-  scene.warnings = findings.warnings;
-  TILEMEND_RETURN_IF_ERROR(ReadMetadata(root, findings.in_folders, &scene));
+  TILEMEND_ASSIGN_OR_RETURN(Scene scene, NamedTiles(root, findings));
   TILEMEND_ASSIGN_OR_RETURN(std::vector<PlacedTile> placed, ReadBounds(findings, read_hull));
   const size_t looked_at = placed.size();
   TILEMEND_ASSIGN_OR_RETURN(scene.grid, FitGrid(std::move(placed)));
-  for (const auto& [cell, file] : findings.tiles) {
-    scene.tiles.push_back({cell, file.lexically_relative(root).string()});
-    if (!IsUtf8(scene.tiles.back().path)) {
-      return absl::InvalidArgumentError(
-          absl::StrCat(Printable(file.string()), ": a file name that is not UTF-8; rename it"));
-    }
-  }
   scene.warnings.push_back(GridWarning(scene, looked_at));
+  TILEMEND_RETURN_IF_ERROR(NumberCells(&scene));
+  return scene;
+}
+
+absl::StatusOr<Scene> FindSceneWithoutGrid(const std::string& root) {
+  TILEMEND_ASSIGN_OR_RETURN(const Findings findings, FindTiles(root));
+  TILEMEND_ASSIGN_OR_RETURN(Scene scene, NamedTiles(root, findings));
+  scene.grid.cell_size = {0, 0};
   TILEMEND_RETURN_IF_ERROR(NumberCells(&scene));
   return scene;
 }

@@ -27,7 +27,7 @@ class SceneSight {
 
   // kWithTile or kWithoutSurface of each cell.
   const CellLetters& cells() const { return cells_; }
-  const Point2& cell_size() const { return cell_size_; }
+  const Point2& cell_size() const { return cell_size_; }  // 0: not known
   // The folder of the tiles before.
   const std::string& root() const { return root_; }
 

@@ -108,24 +108,33 @@ absl::StatusOr<std::string> ReadBelow(const std::string& folder, const std::stri
   return ReadAll(file.fd(), look.st_size, path, stop);
 }
 
-// The scene.json that says where the tiles of a job that is over lie: the scene's own, or that beside the output.
-absl::StatusOr<std::string> SceneFileOf(const JobSpec& spec) {
-  for (const std::string& path : {spec.scene(), absl::StrCat(spec.scene(), "/", kSceneFileName)}) {
-    if (absl::EndsWith(path, ".json") && !IsTileset(path) && KindOf(path) == PathKind::kFile) return path;
-  }
-  const std::string beside = absl::StrCat(spec.out(), "/", kSceneFileName);
-  if (!spec.out().empty() && KindOf(beside) == PathKind::kFile) return beside;
-  return WithErrorInfo(absl::NotFoundError("the scene has no scene.json"), {"SCENE_FILE_NOT_FOUND", {}});
-}
-
 // The folder of the tiles of a scene that is a folder, or a file in it.
 std::string FolderOf(const std::string& scene) {
   return KindOf(scene) == PathKind::kFolder ? scene : std::filesystem::path(scene).parent_path().string();
 }
 
+bool IsFile(const std::string& path) { return KindOf(path) == PathKind::kFile; }
+
+// Where the tiles of a job that is over lie, without reading them. If the scene has no scene.json, that beside the
+// output has the same tiles, unless it is in another format: then they are found by their names.
+absl::StatusOr<Scene> TilesOf(const JobSpec& spec) {
+  for (const std::string& path : {spec.scene(), absl::StrCat(spec.scene(), "/", kSceneFileName)}) {
+    if (absl::EndsWith(path, ".json") && !IsTileset(path) && IsFile(path)) return LoadScene(path, nullptr);
+  }
+  const bool is_delivery = !spec.output_format().empty() && spec.output_format() != "same";
+  const std::string beside = absl::StrCat(spec.out(), "/", kSceneFileName);
+  const bool has_file = !spec.out().empty() && IsFile(beside);
+  if (has_file && !is_delivery) return LoadScene(beside, nullptr);
+  absl::StatusOr<Scene> named = FindSceneWithoutGrid(FolderOf(spec.scene()));
+  if (named.ok()) return named;
+  if (has_file) return LoadScene(beside, nullptr);
+  return WithErrorInfo(
+      absl::NotFoundError("the scene has no scene.json, and no tiles with a column and a row as names"),
+      {"SCENE_FILE_NOT_FOUND", {}});
+}
+
 LoadedValues<SceneSight>::Result LoadSight(const JobSpec& spec) {
-  TILEMEND_ASSIGN_OR_RETURN(const std::string file, SceneFileOf(spec));
-  TILEMEND_ASSIGN_OR_RETURN(Scene scene, LoadScene(file, nullptr));
+  TILEMEND_ASSIGN_OR_RETURN(Scene scene, TilesOf(spec));
   scene.root = FolderOf(spec.scene());
   TILEMEND_RETURN_IF_ERROR(SetDeliveryPaths(spec.output_format(), scene));
   return std::make_shared<const SceneSight>(scene);
@@ -193,8 +202,7 @@ LoadedValues<std::string>::Result LoadReview(const std::string& name, const JobS
                                              const std::stop_token& stop) {
   TILEMEND_ASSIGN_OR_RETURN(const Json report, ReadReport(name, spec, stop));
   TILEMEND_ASSIGN_OR_RETURN(const std::string holes, ReadBelow(spec.out(), kHolesName, kMostReportBytes, stop));
-  const auto file = SceneFileOf(spec);
-  const auto scene = file.ok() ? LoadScene(*file, nullptr) : absl::StatusOr<Scene>(file.status());
+  const auto scene = TilesOf(spec);
   TILEMEND_ASSIGN_OR_RETURN(Json review, PageReview(report, holes, scene.ok() ? &*scene : nullptr, stop));
   return TextOf({{"scene", Member(report, "scene")},
                  {"out", spec.out()},

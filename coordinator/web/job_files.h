@@ -24,7 +24,8 @@ inline constexpr int64_t kMostReportBytes = int64_t{256} << 20;
 class JobFiles {
  public:
   // What may be seen of the scene of a job. kNotFound (SCENE_FILE_NOT_FOUND) before the job has read it. Of one that is
-  // over also if no scene.json lies in the scene's folder or in the output's. Errors of LoadScene.
+  // over also if no scene.json lies in the scene's folder or in the output's, and no tile is named by column and row.
+  // Errors of LoadScene.
   absl::StatusOr<std::shared_ptr<const SceneSight>> SightOf(const std::string& name, const JobCells& job);
 
   // {"holeCount", "holes", "planned"} as JSON text: as planned, then as in the report, with its "date" and

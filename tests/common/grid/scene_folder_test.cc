@@ -48,6 +48,22 @@ class SceneFolderTest : public testing::Test {
   TemporaryFolder folder_;
 };
 
+TEST_F(SceneFolderTest, FindsTilesWithoutReadingThem) {
+  folder_.Write("metadata.xml", kMetadata);
+  for (const char* name : {"Data/Tile_+000_-001/Tile_+000_-001.osgb", "Data/Tile_+001_+000/Tile_+001_+000.osgb"}) {
+    folder_.Write(name, "no mesh");
+  }
+  const auto scene = FindSceneWithoutGrid(folder_.path());
+  ASSERT_TRUE(scene.ok()) << scene.status();
+  ASSERT_EQ(scene->tiles.size(), 2u);
+  EXPECT_EQ(scene->tiles[0].cell, (CellId{0, 0})) << "numbered from 0, as LoadScene does";
+  EXPECT_EQ(scene->tiles[1].cell, (CellId{1, 1}));
+  EXPECT_EQ(scene->tiles[1].path, "Data/Tile_+001_+000/Tile_+001_+000.osgb");
+  EXPECT_EQ(scene->origin.x(), 501027.524);
+  EXPECT_EQ(scene->grid.cell_size.x(), 0);
+  EXPECT_TRUE(absl::IsNotFound(FindSceneWithoutGrid(folder_ / "nothing").status()));
+}
+
 TEST_F(SceneFolderTest, FindsTilesByName) {
   WriteTile("Tile_+000_+001.ply", 0, 1);
   WriteTile("tiles/city_+001_+001.OBJ", 1, 1);

@@ -130,6 +130,20 @@ TEST_F(JobFilesTest, ASceneWithoutSceneFileIsToldByTheOutput) {
   EXPECT_EQ(ErrorReason(File({0, 0}, false, "", "jobs/3").status()), "SCENE_FILE_NOT_FOUND");
 }
 
+// The names of the files of a delivery lead back to no tile of the scene.
+TEST_F(JobFilesTest, TheTilesOfADeliveryAreFoundByTheirNames) {
+  std::filesystem::remove(folder_ / "scene/scene.json");
+  folder_.Write("scene/Tile_+000_+014/Tile_+000_+014.osgb", "before");
+  folder_.Write("out/Tile_p000_p014/Tile_p000_p014.json", "after");
+  job_.spec.set_output_format("3dtiles");
+  const auto before = File({0, 14}, false), after = File({0, 14}, true);
+  ASSERT_TRUE(before.ok()) << before.status();
+  ASSERT_TRUE(after.ok()) << after.status();
+  EXPECT_EQ(before->bytes, "before");
+  EXPECT_EQ(after->bytes, "after");
+  EXPECT_EQ(after->name, "Tile_p000_p014.json");
+}
+
 TEST_F(JobFilesTest, WhileAJobRunsItsPipelineTellsTheScene) {
   job_.state = JobState::kRunning;
   EXPECT_EQ(Reason({0, 0}, false), "SCENE_FILE_NOT_FOUND");
