@@ -188,8 +188,9 @@ void PrintResult(const v1::Job& job, const std::string& scene, const std::string
   }
   const size_t columns = ColumnsOfTerminal(STDOUT_FILENO);
   const bool is_short = ::isatty(STDOUT_FILENO) == 1;
-  std::fputs((is_short ? ResultText(*report, columns) : FilledText(*report) + SummaryText(*report, columns)).c_str(),
-             stdout);
+  const std::string text = is_short ? ResultText(*report, columns)
+                                    : absl::StrCat(Printable(job.message()), "\n", SummaryText(*report, columns));
+  std::fputs(text.c_str(), stdout);
   const std::string where = page.empty() ? absl::StrCat("report: ", Printable(job.report()), "\n") : PageLine(page);
   const std::string check = CanBeChecked(job) ? CheckLine(scene, job.spec().out()) : "";
   std::fputs(absl::StrCat("\n", where, check).c_str(), stdout);

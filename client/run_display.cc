@@ -32,6 +32,21 @@ std::string Counts(const char* name, int64_t done, int64_t all) {
   return all == 0 ? "" : absl::StrCat(", ", done, " of ", all, " ", name);
 }
 
+// "81 of 84 holes filled, 6551.8 m2", of the cells that were chosen.
+std::string FilledText(const Json& report) {
+  size_t holes = 0, filled = 0;
+  double area = 0;
+  for (const Json& hole : Member(report, "per_hole")) {
+    if (Member(hole, "reason") == kNotChosen) continue;
+    ++holes;
+    if (Text(Member(hole, "outcome")) != "filled") continue;
+    ++filled;
+    area += Number(Member(hole, "area_m2"));
+  }
+  return absl::StrCat(filled, " of ", Counted(holes, "hole"), " filled, ", HoleColumns(report).Area(area), " m2",
+                      UncountedText(report), "\n");
+}
+
 // "61 of 64 tiles kept as they were", where some were.
 std::string KeptText(const Json& report) {
   const Json &tasks = Member(report, "tasks"), &all = Member(tasks, "tiles"), &kept = Member(tasks, "tiles_kept");
@@ -55,20 +70,6 @@ std::string StageText(const v1::Job& job) {
   if (p.phase().starts_with("fill")) return name + Counts("holes", p.holes_filled(), p.holes());
   if (p.phase().starts_with("assemble")) return name + Counts("cells", p.cells_done(), p.cells());
   return name;
-}
-
-std::string FilledText(const Json& report) {
-  size_t holes = 0, filled = 0;
-  double area = 0;
-  for (const Json& hole : Member(report, "per_hole")) {
-    if (Member(hole, "reason") == kNotChosen) continue;
-    ++holes;
-    if (Text(Member(hole, "outcome")) != "filled") continue;
-    ++filled;
-    area += Number(Member(hole, "area_m2"));
-  }
-  return absl::StrCat(filled, " of ", Counted(holes, "hole"), " filled, ", HoleColumns(report).Area(area), " m2",
-                      UncountedText(report), "\n");
 }
 
 std::string EndWithoutReport(const v1::Job& job) {

@@ -14,9 +14,6 @@ namespace tilemend {
 // "fill the holes, 12 of 85 holes": the stage of the job and how far it is.
 std::string StageText(const v1::Job& job);
 
-// "81 of 84 holes filled, 6551.8 m2\n", of the cells that were chosen.
-std::string FilledText(const nlohmann::ordered_json& report);
-
 // The end of a run without a report: its warnings, and what it found or that it was cancelled. "" if it failed: then
 // the error is shown.
 std::string EndWithoutReport(const v1::Job& job);
