@@ -1,10 +1,10 @@
-// Holds web/src/times.ts, built as MODULE, to the table of shares, and to times: times_test.mjs MODULE TABLE
+// Holds web/src/times.ts, built as MODULE, to the table of shares, and to times: times_test.mjs MODULE
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 
-const [module, table] = process.argv.slice(2);
-const { Rates, shareDone } = await import(pathToFileURL(module).href);
+const { Rates, shareDone } = await import(pathToFileURL(process.argv[2]).href);
+const table = new URL('progress_shares.txt', import.meta.url);
 
 const rows = readFileSync(table, 'utf8').split('\n').filter((line) => line && !line.startsWith('#'));
 assert.ok(rows.length > 10);
