@@ -16,8 +16,9 @@ namespace tilemend {
 inline constexpr absl::Duration kLongestJobWait = absl::Seconds(20);
 
 // Calls `wake` once: when the job has a state after `request.cursor`, is over, or is not there; after kLongestJobWait;
-// when `may_go_on`, which is asked once a second, gives an error; when the coordinator ends; when too many watch. No
-// sooner than this returns the result is let go; then nothing is called any more. `watches` must outlive the result.
+// when `may_go_on`, which is asked once a second, gives an error; when the coordinator ends; when too many watch. That
+// may be before this returns, or on another thread. Once the result is let go nothing is called. `watches` must outlive
+// it.
 std::shared_ptr<void> AwaitJob(WatchHandler& watches, const v1::WatchJobRequest& request,
                                std::function<absl::Status()> may_go_on, std::function<void()> wake);
 
