@@ -29,7 +29,7 @@ namespace {
 
 using SteadyTime = std::chrono::steady_clock::time_point;
 
-constexpr std::chrono::milliseconds kWatchInterval(50);
+constexpr std::chrono::milliseconds kWatchInterval(200);
 
 // Some 20 kB each.
 constexpr size_t kMostWatches = 4096;

@@ -201,6 +201,7 @@ void JobRuns::OnFinished(const std::string& id, absl::StatusOr<JobOutcome> outco
   if (state == JobState::kFailed) journal_.PutJob(*job, true);
   cluster_.ShowMetrics();
   cluster_.Changed();
+  cluster_.job_changed.Wake();
 }
 
 absl::Status JobRuns::OnCaught(const std::string& id, const CaughtWorker& caught) {

@@ -25,6 +25,7 @@ absl::StatusOr<v1::Job> JobSteering::Steer(const std::string& name, JobSteered c
   // One whose end is in the journal already must not be put there as running.
   if (job->version != before && !cluster_.jobs.at(job->id).completed) journal_.PutJob(*job, false);
   cluster_.Changed();
+  cluster_.job_changed.Wake();
   return DescribeJob(cluster_, *job);
 }
 
@@ -41,6 +42,7 @@ absl::StatusOr<v1::Job> JobSteering::Cancel(const std::string& name) {
   journal_.PutJob(*job, runner == nullptr);  // else its output is released by the runner, or after a restart
   cluster_.ShowMetrics();
   cluster_.Changed();
+  cluster_.job_changed.Wake();
   return DescribeJob(cluster_, *job);
 }
 
