@@ -72,6 +72,7 @@ struct TaskResult {
   std::string worker = {};  // who gave the output; "" if not known
   std::string input = {};   // digest of the bytes that the task was given (Sha256Hex)
   bool known = false;       // from the journal: given to an earlier pipeline of the job
+  std::string digest = {};  // of the output; "" if not known
 };
 
 // A worker of which an accepted result turned out to be wrong.

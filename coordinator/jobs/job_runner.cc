@@ -34,7 +34,8 @@ absl::StatusOr<TaskResult> ToResult(const SettledTask& task, std::optional<std::
                     .output = std::string(),
                     .worker = task.worker,
                     .input = task.input,
-                    .known = task.known};
+                    .known = task.known,
+                    .digest = task.output};
   if (task.state != TaskState::kCommitted) {
     result.output = task.error;
     return result;

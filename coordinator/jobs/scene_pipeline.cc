@@ -241,6 +241,7 @@ class ScenePipeline : public JobPipeline {
     }
     const CellId cell = result.cell;
     const Stage stage = result.stage;
+    const std::string digest = result.digest;
     SceneVerification::Report report = SceneVerification::ReportOf(result);
     TILEMEND_ASSIGN_OR_RETURN(StageResult decoded, DecodeResult(std::move(result), surveys_.get()));
     const int32_t number = NumberOf(decoded.output);
@@ -248,7 +249,7 @@ class ScenePipeline : public JobPipeline {
     const std::string bytes = std::move(decoded.bytes);
     SceneVerification::ReadOutput(decoded.output, waves_, report);
     TILEMEND_RETURN_IF_ERROR(tasks_.Take(std::move(decoded)));
-    TILEMEND_RETURN_IF_ERROR(reuse_->Keep(cell, stage, number, bytes));
+    TILEMEND_RETURN_IF_ERROR(reuse_->Keep(cell, stage, number, bytes, digest));
     verification_.AddReport(std::move(report), waves_.scene().root);
     return NextTasks();
   }

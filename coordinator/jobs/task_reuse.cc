@@ -11,7 +11,10 @@ namespace tilemend {
 namespace {
 
 std::string KeyOf(const NewTask& task) {
-  return Sha256Hex(absl::StrCat(BuildId(), "\n", std::string(StageName(task.stage)), "\n", task.input));
+  Sha256 sha;
+  sha.Update(absl::StrCat(BuildId(), "\n", std::string(StageName(task.stage)), "\n"));
+  sha.Update(task.input);
+  return sha.FinishHex();
 }
 
 std::string WithKnownSurvey(const std::string& bytes, const std::string& known) {
@@ -69,9 +72,10 @@ absl::Status TaskReuse::Resolve(StageResult& result, int32_t number) {
   return absl::OkStatus();
 }
 
-absl::Status TaskReuse::Keep(CellId cell, Stage stage, int32_t number, const std::string& bytes) {
+absl::Status TaskReuse::Keep(CellId cell, Stage stage, int32_t number, const std::string& bytes,
+                             const std::string& digest) {
   const auto key = keys_.extract({cell, stage, number});
-  return key.empty() ? absl::OkStatus() : log_->Put(key.mapped(), bytes);
+  return key.empty() ? absl::OkStatus() : log_->Put(key.mapped(), bytes, digest);
 }
 
 void TaskReuse::Discard() {

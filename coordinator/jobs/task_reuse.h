@@ -37,8 +37,8 @@ class TaskReuse {
   // Call for each of the others with its result, which becomes the known one if the worker found it true. Returns
   // kAborted if that is not there any more.
   absl::Status Resolve(StageResult& result, int32_t number);
-  // Call then, when the result has been taken. kResourceExhausted, kUnavailable.
-  absl::Status Keep(CellId cell, Stage stage, int32_t number, const std::string& bytes);
+  // Call then, when the result has been taken. `digest` as of ResultLog::Put. kResourceExhausted, kUnavailable.
+  absl::Status Keep(CellId cell, Stage stage, int32_t number, const std::string& bytes, const std::string& digest = "");
   // The job ended before it wrote anything, and its end was that of its input: leaves nothing either.
   void Discard();
   // The job is complete: forgets what it had no use for.

@@ -24,7 +24,7 @@
 namespace tilemend {
 namespace {
 
-constexpr std::string_view kHead = "tilemend-results-1\n";
+constexpr std::string_view kHead = "tilemend-results-2\n";
 constexpr uint32_t kMark = 0x746d5231;  // "tmR1"
 
 absl::Status LogError(const std::string& path, const char* what) {
@@ -68,13 +68,13 @@ struct ResultLog::Record {
   uint32_t begins = 0;  // a job begins; there is no result
   Name name{};
   int64_t bytes = 0;
-  Name sum{};  // of all of the above and the result
+  Name sum{};  // of all of the above and the digest of the result
 
   int64_t size() const { return static_cast<int64_t>(sizeof(Record)) + bytes; }
-  Name SumWith(std::string_view result) const {
+  Name SumWith(const std::string& result_digest) const {
     Sha256 sha;
     sha.Update({reinterpret_cast<const char*>(this), offsetof(Record, sum)});
-    sha.Update(result);
+    sha.Update(result_digest);
     const std::string digest = absl::HexStringToBytes(sha.FinishHex());
     Name sum_of_all;
     std::copy_n(digest.begin(), sum_of_all.size(), sum_of_all.begin());
@@ -139,7 +139,7 @@ absl::Status ResultLog::Scan(Opening how) {
   }
   for (auto& [name, place] : own_) earlier_[name] = place;
   own_.clear();
-  return earlier_.empty() ? absl::OkStatus() : Append({}, "", true);
+  return earlier_.empty() ? absl::OkStatus() : Append({}, "", Sha256Hex(""), true);
 }
 
 std::optional<ResultLog::Record> ResultLog::ReadHead(int64_t offset) const {
@@ -156,7 +156,7 @@ std::optional<std::string> ResultLog::ReadResult(int64_t offset) const {
   if (!record) return {};
   std::string result(static_cast<size_t>(record->bytes), '\0');
   if (!ReadAt(fd_, result.data(), result.size(), offset + static_cast<int64_t>(sizeof(Record)))) return {};
-  if (record->SumWith(result) != record->sum) return {};
+  if (record->SumWith(Sha256Hex(result)) != record->sum) return {};
   return result;
 }
 
@@ -168,17 +168,17 @@ std::optional<std::string> ResultLog::Find(const std::string& key) {
   return result;
 }
 
-absl::Status ResultLog::Put(const std::string& key, std::string_view result) {
+absl::Status ResultLog::Put(const std::string& key, std::string_view result, const std::string& digest) {
   const Name name = NameOf(key);
   if (const auto own = own_.find(name); own != own_.end() && ReadResult(own->second.offset) == result) {
     own->second.used = true;  // put before a restart
     return absl::OkStatus();
   }
-  if (!begun_) TILEMEND_RETURN_IF_ERROR(Append({}, "", true));
-  return Append(name, result, false);
+  if (!begun_) TILEMEND_RETURN_IF_ERROR(Append({}, "", Sha256Hex(""), true));
+  return Append(name, result, digest.empty() ? Sha256Hex(result) : digest, false);
 }
 
-absl::Status ResultLog::Append(const Name& name, std::string_view result, bool begins) {
+absl::Status ResultLog::Append(const Name& name, std::string_view result, const std::string& digest, bool begins) {
   if (fd_ < 0) {
     fd_ = OpenKept(path_, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644);
     made_ = fd_ >= 0;
@@ -189,7 +189,7 @@ absl::Status ResultLog::Append(const Name& name, std::string_view result, bool b
     end_ = static_cast<int64_t>(kHead.size());
   }
   Record record{.begins = begins, .name = name, .bytes = static_cast<int64_t>(result.size())};
-  record.sum = record.SumWith(result);
+  record.sum = record.SumWith(digest);
   const std::string_view head(reinterpret_cast<const char*>(&record), sizeof(record));
   // The head last: a record is there when all of it is.
   if (!WriteAt(fd_, result, end_ + static_cast<int64_t>(head.size())) || !WriteAt(fd_, head, end_)) {

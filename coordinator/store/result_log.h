@@ -42,8 +42,8 @@ class ResultLog {
 
   // The newest result that an earlier job put under this SHA-256 (64 hexadecimal digits).
   std::optional<std::string> Find(const std::string& key);
-  // kResourceExhausted (disk full), kUnavailable.
-  absl::Status Put(const std::string& key, std::string_view result);
+  // `digest`: Sha256Hex of the result, where it is known. kResourceExhausted (disk full), kUnavailable.
+  absl::Status Put(const std::string& key, std::string_view result, const std::string& digest = "");
   // Takes the file away again, if this process made it.
   void Discard();
   // Forgets what this job has neither found nor put. The old file or the new one is there at any time.
@@ -62,7 +62,7 @@ class ResultLog {
   // Of the file as it is: none if it is not whole.
   std::optional<Record> ReadHead(int64_t offset) const;
   std::optional<std::string> ReadResult(int64_t offset) const;
-  absl::Status Append(const Name& name, std::string_view result, bool begins);
+  absl::Status Append(const Name& name, std::string_view result, const std::string& digest, bool begins);
 
   std::string path_;
   int fd_ = -1;
