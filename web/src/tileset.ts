@@ -34,6 +34,7 @@ class CellFiles {
   missing = 0; // models
   left = 0;    // too much for one picture
   private readonly base: URL;
+  private readonly tilesets = new Set<string>(); // the root is the first
   private readonly wanted: OBB | null;
 
   // `frame`: from that of the tileset to the scene.
@@ -47,9 +48,13 @@ class CellFiles {
   get rootUrl(): string { return new URL('tileset.json', this.base).href; }
 
   async fetchData(url: string): Promise<Tileset | ArrayBuffer> {
-    if (url === this.rootUrl) return this.root;
+    if (!this.tilesets.size) {
+      this.tilesets.add('');
+      return this.root;
+    }
     const { origin, pathname } = new URL(url);
     const isInside = origin === this.base.origin && pathname.startsWith(this.base.pathname), isTileset = pathname.endsWith('.json');
+    if (isTileset && this.tilesets.size === this.tilesets.add(pathname).size) throw new Error('Two tiles, or a tileset and itself, refer to one tileset.');
     if (!isTileset && this.bytes > MOST_BYTES) return this.without('left');
     const read = isInside ? await getTileIfThere(this.path, decodeURIComponent(pathname.slice(this.base.pathname.length))) : null;
     if (!read) return this.without('missing');
@@ -89,6 +94,7 @@ async function load(files: CellFiles): Promise<{ models: Object3D[]; failures: E
   tiles.downloadQueue.maxJobsPerOrigin = DOWNLOADS;
   tiles.downloadQueue.priorityCallback = () => 0;
   tiles.loadAncestors = tiles.loadSiblings = false; // the finest alone
+  tiles.maxTilesProcessed = Infinity;               // what waits for a later frame is not in the counts below
   const urls = new Map<Object3D, string>();
   tiles.addEventListener('load-model', ({ scene, url }) => urls.set(scene, String(url)));
   tiles.addEventListener('load-error', ({ error }) => failures.push(error));
