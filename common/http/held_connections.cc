@@ -22,7 +22,10 @@ void HeldConnections::Hold(std::shared_ptr<TimedConnection> connection, const Wa
   {
     const std::lock_guard<std::mutex> lock(shared_->mutex);
     if (shared_->closed || shared_->woken.size() >= most_) return;
-    if (shared_->held.size() >= most_) shared_->Wake(shared_->held.begin()->first);
+    if (shared_->held.size() >= most_) {
+      shared_->held.begin()->second.connection->MakeRoom();
+      shared_->Wake(shared_->held.begin()->first);
+    }
     number = ++shared_->last;
     shared_->held[number].connection = std::move(connection);
   }

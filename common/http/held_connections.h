@@ -16,7 +16,7 @@
 
 namespace tilemend {
 
-// When there are too many, the one that came first is woken. Thread-safe.
+// When there are too many, the one that came first makes room and is woken. Thread-safe.
 class HeldConnections {
  public:
   // As HttpAnswer::wait.

@@ -28,7 +28,7 @@ namespace {
 
 constexpr size_t kThreads = 16;
 constexpr std::ptrdiff_t kMostConnections = 64;  // served or waiting for a thread
-constexpr size_t kMostHeld = 256;                // that wait for their answer, some 20 KB each
+constexpr size_t kMostHeld = 256;                // that wait for their answer, 64 KB each at most, and what TLS takes
 // A connection that asks nothing is closed then.
 constexpr absl::Duration kMostIdle = absl::Seconds(5);
 
@@ -200,6 +200,7 @@ HttpRequest RequestOf(const httplib::Request& from) {
   if (current_connection == nullptr) return request;
   SetCaller(*current_connection, request);
   request.has_waited = current_connection->was_rewound();
+  request.made_room = current_connection->made_room();
   return request;
 }
 

@@ -26,6 +26,7 @@ struct HttpRequest {
   std::string certificate_name = {};               // the common name of a checked certificate, "" without one
   std::vector<std::string> certificate_uris = {};  // its alternative names
   bool has_waited = false;                         // HttpAnswer::wait was heeded: the request is handled once more
+  bool made_room = false;                          // and woken because too many others wait
 
   // "" if there is none. `name` is in lower case.
   std::string Header(const std::string& name) const;

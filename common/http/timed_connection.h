@@ -42,6 +42,9 @@ class TimedConnection : public httplib::Stream {
   // After HoldAnswer: what was read is read once more, with all the time for it and for the answer.
   void Rewind();
   bool was_rewound() const { return was_rewound_; }
+  // Of one that waits: another takes its place.
+  void MakeRoom() { made_room_ = true; }
+  bool made_room() const { return made_room_; }
   // The certificate that the other side has shown; null without one.
   std::unique_ptr<X509, void (*)(X509*)> PeerCertificate() const;
 
@@ -71,7 +74,7 @@ class TimedConnection : public httplib::Stream {
   std::unique_ptr<SSL, FreeSsl> ssl_;  // null: plain text
   std::string read_;                   // all that came: the server reads byte by byte, and perhaps twice
   size_t at_ = 0;                      // what of it is still to be read
-  bool holds_answer_ = false, was_rewound_ = false;
+  bool holds_answer_ = false, was_rewound_ = false, made_room_ = false;
 };
 
 }  // namespace tilemend

@@ -85,7 +85,7 @@ class WatchHandler {
   struct Found {
     std::vector<std::string> changed;            // topics with news
     SteadyTime next_look = SteadyTime::max();    // news wait so long
-    SteadyTime quiet_until = SteadyTime::max();  // before that no change makes news
+    SteadyTime quiet_until = SteadyTime::max();  // before that nothing but an end is news
   };
 
   absl::Status Enter(const std::string& topic, uint64_t cursor, const std::shared_ptr<Watch>& watch);

@@ -274,7 +274,11 @@ absl::StatusOr<HttpAnswer> WebApi::Watch(const Match& match, const HttpRequest& 
     return absl::InvalidArgumentError("cursor: expected that of the last answer, a whole number");
   }
   TILEMEND_ASSIGN_OR_RETURN(HttpAnswer answer, JsonAnswer(job));
-  if (request.has_waited || job.cursor() > cursor || job.has_end_time()) return answer;
+  if (job.cursor() > cursor || job.has_end_time()) return answer;
+  if (request.made_room) {
+    return absl::ResourceExhaustedError("too many watch jobs over HTTP; wait some seconds before you ask again");
+  }
+  if (request.has_waited) return answer;
   watch.set_cursor(cursor);
   answer.wait = [this, peer, watch](std::function<void()> wake) {
     return calls_.AwaitJob(peer, watch, std::move(wake));

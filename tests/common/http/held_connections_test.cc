@@ -92,6 +92,7 @@ TEST_F(HeldConnectionsTest, TheFirstMakesRoomAndWhoComesBesideAFullQueueIsClosed
   for (size_t k = 0; k < 4; ++k) EXPECT_EQ(IsClosed(k), k == 3) << k;
   go_on.set_value();
   AwaitLeft(2);
+  for (const auto& connection : left_) EXPECT_TRUE(connection->made_room());
 }
 
 TEST_F(HeldConnectionsTest, ClosesAllInTheEnd) {

@@ -33,7 +33,7 @@ TEST_F(JobWaitTest, WakesOnceWhenTheJobIsOver) {
   absl::Notification woken;
   const auto wait = AwaitJob(calls_.watch, EndOf(job), GoOn, [&] { woken.Notify(); });  // a second Notify aborts
   Cancel(job);
-  woken.WaitForNotification();
+  EXPECT_TRUE(woken.WaitForNotificationWithTimeout(kLongestJobWait / 2));
 }
 
 TEST_F(JobWaitTest, WakesAtOnceForAJobThatIsNotThere) {
@@ -47,7 +47,7 @@ TEST_F(JobWaitTest, WakesWhenItsCallerMayNotGoOn) {
   absl::Notification woken;
   const auto wait = AwaitJob(
       calls_.watch, EndOf(job), [] { return absl::UnauthenticatedError("expired"); }, [&] { woken.Notify(); });
-  woken.WaitForNotification();
+  EXPECT_TRUE(woken.WaitForNotificationWithTimeout(kLongestJobWait / 2));
 }
 
 TEST_F(JobWaitTest, CallsNothingOnceItIsLetGo) {
@@ -57,7 +57,7 @@ TEST_F(JobWaitTest, CallsNothingOnceItIsLetGo) {
   absl::Notification last;
   const auto wait = AwaitJob(calls_.watch, EndOf(job), GoOn, [&] { last.Notify(); });
   Cancel(job);
-  last.WaitForNotification();
+  EXPECT_TRUE(last.WaitForNotificationWithTimeout(kLongestJobWait / 2));
   EXPECT_FALSE(woken);
 }
 

@@ -155,7 +155,7 @@ TEST_F(WebApiTest, AWatchWaitsUntilTheJobChanges) {
   const auto wait = answer.wait([&] { woken.Notify(); });
   EXPECT_FALSE(woken.HasBeenNotified());
   Post(job + "/pause", "ann");
-  woken.WaitForNotification();
+  EXPECT_TRUE(woken.WaitForNotificationWithTimeout(absl::Seconds(10)));
   const HttpAnswer next = WatchOf(api_, job, cursor, true);
   EXPECT_EQ(next.wait, nullptr);
   EXPECT_EQ(Json::parse(next.body)["paused"], true);
@@ -180,7 +180,21 @@ TEST_F(WebApiTest, AWatchIsWokenWhenTheCoordinatorEnds) {
   absl::Notification woken;
   const auto wait = answer.wait([&] { woken.Notify(); });
   coordinator_.StopWaiting();
-  woken.WaitForNotification();
+  EXPECT_TRUE(woken.WaitForNotificationWithTimeout(absl::Seconds(10)));
+}
+
+TEST_F(WebApiTest, AWatchThatMakesRoomIsToldToAskLater) {
+  const std::string job = NewJob();
+  AwaitTask();
+  HttpRequest request{.method = "GET",
+                      .path = job + "/watch",
+                      .query = {{"cursor", "18446744073709551615"}},
+                      .has_waited = true,
+                      .made_room = true};
+  request.headers["authorization"] = "Bearer eve";
+  EXPECT_EQ(api_.Answer(request).status, 429);
+  request.query.find("cursor")->second = "0";
+  EXPECT_EQ(api_.Answer(request).status, 200) << "there is news";
 }
 
 TEST_F(WebApiTest, NoPathLeadsOut) {

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "absl/time/time.h"
+#include "coordinator/api/job_wait.h"
 #include "tests/support/http_get.h"
 #include "tests/support/test_cluster.h"
 
@@ -101,6 +103,8 @@ TEST_F(WebServerTest, AWatchIsAnsweredWhenTheJobIsOver) {
   v1::CancelJobRequest cancel;
   cancel.set_name(job.name());
   ASSERT_TRUE(cluster_.coordinator().calls().jobs.CancelJob(cancel).ok());
+  const auto longest = absl::ToChronoSeconds(kLongestJobWait / 2);
+  ASSERT_EQ(answer.wait_for(longest), std::future_status::ready);
   EXPECT_THAT(answer.get(), HasSubstr("\"state\":\"CANCELLED\""));
 }
 
