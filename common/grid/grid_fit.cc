@@ -141,14 +141,16 @@ absl::StatusOr<Point2> Pitches(std::vector<PlacedTile>* tiles) {
 // The size of the only column (row). `other`: the pitch along the other axis, or 0.
 double SizeOfOne(int axis, double other, const std::vector<PlacedTile>& tiles) {
   const Estimate extent = Extent(axis, tiles);
-  double lowest = INFINITY, highest = -INFINITY;
+  double lowest = INFINITY, highest = -INFINITY, first = INFINITY, last = -INFINITY;
   for (const PlacedTile& tile : tiles) {
+    const double middle = (Low(tile, axis) + High(tile, axis)) / 2;
     lowest = std::min(lowest, Low(tile, axis));
     highest = std::max(highest, High(tile, axis));
+    first = std::min(first, middle);
+    last = std::max(last, middle);
   }
   // A survey that lies askew has less than a cell in each tile, and not at the same place.
-  const double all = highest - lowest;
-  const bool is_askew = all > (1 + kSquareTolerance) * extent.value && all <= (1 + kSquareTolerance) * other;
+  const bool is_askew = last - first > extent.value / 2 && highest - lowest <= (1 + kSquareTolerance) * other;
   const bool is_square = is_askew || std::abs(extent.value - other) <= kSquareTolerance * other;
   return is_square ? other : RoundSensibly(extent, extent.value);
 }

@@ -117,8 +117,8 @@ using TilesetReader =
 absl::StatusOr<Scene> LoadScene(const std::string& path, const HullReader& read_hull,
                                 const TilesetReader& read_tileset = nullptr);
 
-// As LoadScene of a folder whose tiles are found by their names, without reading any of them: the grid is not known, its
-// cell size is 0. kNotFound if there are no such tiles. O(files of the folder).
+// As LoadScene of a folder whose tiles are found by their names, without reading any of them: the grid is not known,
+// its cell size is 0. kNotFound if there are no such tiles, or a tileset. O(files of the folder).
 absl::StatusOr<Scene> FindSceneWithoutGrid(const std::string& root);
 
 // scene.json text for `scene`; LoadScene reads it back (all but the warnings and the root).

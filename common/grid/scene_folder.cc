@@ -360,6 +360,8 @@ absl::StatusOr<Scene> FindScene(const std::string& root, const HullReader& read_
 }
 
 absl::StatusOr<Scene> FindSceneWithoutGrid(const std::string& root) {
+  TILEMEND_ASSIGN_OR_RETURN(const std::string tileset, FindTileset(root));
+  if (!tileset.empty()) return absl::NotFoundError(absl::StrCat(root, ": the scene of the tileset ", tileset));
   TILEMEND_ASSIGN_OR_RETURN(const Findings findings, FindTiles(root));
   TILEMEND_ASSIGN_OR_RETURN(Scene scene, NamedTiles(root, findings));
   scene.grid.cell_size = {0, 0};

@@ -114,7 +114,8 @@ struct Cut {
 };
 
 // Exports in a map's frame are cut along its axes. The hulls' sides tell that, but so does the edge of a survey that
-// lies askew: the axes are right along which neighbours fit together better.
+// lies askew: the axes are right along which neighbours fit together better. And their bounds are smaller there: by
+// wider bounds, tiles that gape fit together better along any axes.
 absl::StatusOr<Cut> FindCut(const std::string& root, const std::vector<TilesetTiles::Tile>& tiles,
                             const HullReader& read_hull) {
   Cut cut;
@@ -128,14 +129,17 @@ absl::StatusOr<Cut> FindCut(const std::string& root, const std::vector<TilesetTi
   for (const size_t t : cut.tile_of) {
     TILEMEND_ASSIGN_OR_RETURN(hulls.emplace_back(), read_hull(absl::StrCat(root, "/", tiles[t].path), tiles[t].frame));
   }
-  double least_gap = INFINITY;
-  for (const double turn : {0.0, TurnOfSides(hulls)}) {
+  double least_gap = INFINITY, side = 0;
+  std::vector<double> turns = {0, TurnOfSides(hulls)};
+  if (has_names) turns.insert(turns.end(), {turns[1] + std::numbers::pi / 2, turns[1] - std::numbers::pi / 2});
+  for (const double turn : turns) {
     const std::vector<CellId> cells = has_names ? named : CellsByPlace(hulls, turn);
     std::vector<TileHull> placed;
     for (size_t k = 0; k < hulls.size(); ++k) placed.push_back({cells[cut.tile_of[k]], hulls[k]});
     const double gap = MedianGap(placed, turn);
-    if (!cut.cells.empty() && !(gap < least_gap)) continue;
+    if (!cut.cells.empty() && !(gap < least_gap && MedianSide(placed, turn) <= side)) continue;
     least_gap = gap;
+    side = MedianSide(placed, turn);
     cut.turn = turn;
     cut.cells = cells;
     cut.looked_at = std::move(placed);

@@ -110,4 +110,13 @@ double MedianGap(const std::vector<TileHull>& tiles, double turn) {
   return gaps.empty() ? std::numeric_limits<double>::infinity() : Median(std::move(gaps));
 }
 
+double MedianSide(const std::vector<TileHull>& tiles, double turn) {
+  std::vector<double> sides;
+  for (const TileHull& tile : tiles) {
+    const Box bounds = BoundsOf(tile.hull, turn);
+    for (const int axis : {0, 1}) sides.push_back(bounds.hi[axis] - bounds.lo[axis]);
+  }
+  return Median(std::move(sides));
+}
+
 }  // namespace tilemend

@@ -21,10 +21,9 @@ ConvexHull HullOf(std::vector<Point2> points);
 // The bounds of a hull along axes that are turned counter-clockwise by `turn`, radians. Heights are 0.
 Box BoundsOf(const ConvexHull& hull, double turn);
 
-// Which tiles tell the grid, as ascending indices: all if there are no more than kMostLookedAt; else so
-// many at most: some that are evenly spread in the orders by rows and by columns, and their neighbours to the east and
-// north. So opening a scene takes as long for any
-// number of tiles. O(n log n).
+// Which tiles tell the grid, as ascending indices: all if there are no more than kMostLookedAt; else so many at
+// most: some that are evenly spread in the orders by rows and by columns, and their neighbours to the east and north.
+// O(n log n).
 std::vector<size_t> TilesToLookAt(const std::vector<CellId>& cells);
 
 inline constexpr size_t kMostLookedAt = 48;  // of 500 round surveys one was told wrong by 24
@@ -38,6 +37,9 @@ inline constexpr double kLeastGridTurn = 1e-4;  // radians: 1 cm in 100 m
 // By how much the bounds of neighbours overlap or gape along turned axes, metres: the median. Infinite if none is the
 // neighbour of another. O(n log n).
 double MedianGap(const std::vector<TileHull>& tiles, double turn);
+
+// The median of the sides of their bounds along turned axes, metres. Precondition: not empty. O(corners).
+double MedianSide(const std::vector<TileHull>& tiles, double turn);
 
 }  // namespace tilemend
 

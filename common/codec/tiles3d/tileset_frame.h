@@ -10,10 +10,11 @@
 namespace tilemend {
 
 // The frame of the scene is one of
-//  - that of the root's parent, if the tileset is not on the Earth: nothing is turned;
+//  - that of the root's parent, if the tileset is not on the Earth;
 //  - that of the root tile, if its transform puts a frame with z up onto the Earth: coordinates keep their bits;
 //  - one at the middle of the root's volume, with x to the east and y to the north, for Earth-centred coordinates.
-// It is plane. What is level in it sinks below the ellipsoid by 8 cm at 1 km from its origin, and by 2 m at 5 km.
+// Its axes may be turned about the vertical. It is plane. What is level in it sinks below the ellipsoid by 8 cm at 1 km
+// from its origin, and by 2 m at 5 km.
 struct TilesetFrame {
   bool is_roots = false;                                     // that of the root tile, turned
   Eigen::Matrix4d from_outer = Eigen::Matrix4d::Identity();  // from the frame of the root or of its parent

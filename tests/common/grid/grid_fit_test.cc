@@ -101,6 +101,19 @@ TEST(FitGridTest, NamesTheTileThatContradictsTheOthers) {
               HasSubstr("Tile_+001_+001: reaches more than a quarter of a cell beyond cell +001_+001"));
 }
 
+TEST(FitGridTest, TakesACellAsSquareForASurveyThatLiesAskew) {
+  std::vector<PlacedTile> tiles = Tiles(1, 4, {30, 100});
+  for (PlacedTile& tile : tiles) tile.bounds.hi.x() += tile.cell.row % 2;  // a ragged cut
+  ExpectGrid(tiles, {30.5, 100}, {0, 0});
+  for (PlacedTile& tile : tiles) {
+    tile.bounds.lo.x() += 20 * tile.cell.row;
+    tile.bounds.hi.x() += 20 * tile.cell.row;
+  }
+  const auto grid = FitGrid(tiles);
+  ASSERT_TRUE(grid.ok()) << grid.status();
+  EXPECT_EQ(grid->cell_size, Point2(100, 100));
+}
+
 TEST(FitGridTest, TakesATileThatHasLittleMoreThanItsOverlap) {
   std::vector<PlacedTile> tiles = Tiles(4, 4, {100, 100});
   for (PlacedTile& tile : tiles) {

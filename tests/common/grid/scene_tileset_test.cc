@@ -137,6 +137,27 @@ TEST_F(SceneTilesetTest, TilesetsWithOtherNamesMayBeTurned) {
   EXPECT_EQ(scene->rows, 2);
 }
 
+TEST_F(SceneTilesetTest, AGridMayBeTurnedByMoreThanHalfAQuarter) {
+  folder_.Write("tileset.json", kTileset);
+  for (int i = 0; i < 6; ++i) Add(absl::StrCat("Data/Tile_p00", i % 2, "_p00", i / 2, "/t.json"), i % 2, i / 2);
+  Turn(1);
+  const auto scene = Load(folder_.path());
+  ASSERT_TRUE(scene.ok()) << scene.status();
+  EXPECT_NEAR(turn_, 1, 1e-9);
+}
+
+TEST_F(SceneTilesetTest, TilesThatGapeAreNotTurnedByNoise) {
+  folder_.Write("tileset.json", kTileset);
+  for (int i = 0; i < 6; ++i) {
+    const std::string path = absl::StrCat("Data/Tile_p00", i % 2, "_p00", i / 2, "/t.json");
+    Add(path, i % 2, i / 2);
+    const double x = 100 * (i % 2), y = 100 * (i / 2);
+    hulls_[path] = {{x + 1, y + 1}, {x + 98.9, y + 1.05}, {x + 99, y + 99}, {x + 1, y + 98.95}};
+  }
+  ASSERT_TRUE(Load(folder_.path()).ok());
+  EXPECT_EQ(turn_, 0);
+}
+
 TEST_F(SceneTilesetTest, TheEdgeOfASurveyTurnsNothing) {
   folder_.Write("tileset.json", kTileset);
   for (int i = 0; i < 3; ++i) {
