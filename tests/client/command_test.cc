@@ -54,7 +54,8 @@ class CommandTest : public ::testing::Test {
 TEST_F(CommandTest, RunWritesTheReportAndSaysSo) {
   const Ended ended = Run({"run", "toy://4x3", "--out", folder_ / "out", "--workers", "2"});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("done"));
+  EXPECT_THAT(ended.out, HasSubstr("total 5205483\n"));  // what the job says
+  EXPECT_THAT(ended.out, HasSubstr("/out/report.html (open it in a browser)"));
   EXPECT_THAT(ended.err, Not(HasSubstr("\r")));  // no bar: not a terminal
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/report.json"));
 }
