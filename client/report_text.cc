@@ -65,7 +65,8 @@ std::string LevelsText(const Json& report) {
 std::string OptionsText(const Json& options) {
   std::vector<std::string> parts;
   for (const auto& [name, value] : options.items()) {
-    if (value != false && value != "") parts.push_back(value == true ? name : absl::StrCat(name, " ", Text(value)));
+    const bool is_given = value != false && !(value.is_string() && Text(value).empty());
+    if (is_given) parts.push_back(value == true ? name : absl::StrCat(name, " ", Text(value)));
   }
   return absl::StrJoin(parts, ", ");
 }

@@ -48,7 +48,7 @@ class CellLetters {
   static constexpr int32_t kSide = 8, kShift = 3;
   static CellId BlockOf(CellId cell) { return {cell.col >> kShift, cell.row >> kShift}; }
   static size_t IndexOf(CellId cell) {
-    return static_cast<size_t>((cell.row & (kSide - 1)) * kSide + (cell.col & (kSide - 1)));
+    return static_cast<size_t>(cell.row & (kSide - 1)) * kSide + static_cast<size_t>(cell.col & (kSide - 1));
   }
 
   std::map<CellId, std::array<char, kSide * kSide>> blocks_;

@@ -97,14 +97,13 @@ absl::StatusOr<JobCells> GuardedCalls::GetCells(const Peer& peer, const std::str
 }
 
 template <typename Request>
-absl::StatusOr<v1::Job> GuardedCalls::Steer(const Peer& peer, std::string_view rpc, LogFields how,
+absl::StatusOr<v1::Job> GuardedCalls::Steer(const Peer& peer, std::string_view rpc, const LogFields& how,
                                             const Request& request,
                                             absl::StatusOr<v1::Job> (JobsHandler::*steer)(const Request&)) const {
-  return entrance_.Change(peer, rpc, request.name(), std::move(how),
-                          [&](const Caller& caller) -> absl::StatusOr<v1::Job> {
-                            TILEMEND_RETURN_IF_ERROR(CheckOwner(caller, request.name()));
-                            return std::invoke(steer, calls_.jobs, request);
-                          });
+  return entrance_.Change(peer, rpc, request.name(), how, [&](const Caller& caller) -> absl::StatusOr<v1::Job> {
+    TILEMEND_RETURN_IF_ERROR(CheckOwner(caller, request.name()));
+    return std::invoke(steer, calls_.jobs, request);
+  });
 }
 
 // Another's job is the administrators'.

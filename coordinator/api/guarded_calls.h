@@ -34,7 +34,7 @@ class Entrance {
   absl::Status Run(const Peer& peer, std::string_view rpc, Call call) const {
     const absl::Time start = absl::Now();
     const auto caller = Begin(peer, rpc);
-    const absl::Status status = caller.ok() ? call(*caller) : caller.status();
+    absl::Status status = caller.ok() ? call(*caller) : caller.status();
     End(rpc, status, start);
     return status;
   }
@@ -101,7 +101,7 @@ class GuardedCalls {
 
  private:
   template <typename Request>
-  absl::StatusOr<v1::Job> Steer(const Peer& peer, std::string_view rpc, LogFields how, const Request& request,
+  absl::StatusOr<v1::Job> Steer(const Peer& peer, std::string_view rpc, const LogFields& how, const Request& request,
                                 absl::StatusOr<v1::Job> (JobsHandler::*steer)(const Request&)) const;
   absl::Status CheckOwner(const Caller& caller, const std::string& name) const;
 

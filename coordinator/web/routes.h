@@ -38,7 +38,7 @@ struct Route {
   std::string_view request;  // the message that a POST's body is, or that the query's fields are of; "": none
   std::string_view answer;   // a message, or the name of a schema of open_api.cc; "": not JSON
   std::string_view summary;
-  std::string_view parameter = "";  // of the query, a text; "": none but those of `request`
+  std::string_view parameter = {};  // of the query, a text; "": none but those of `request`
 };
 
 const std::vector<Route>& Routes();
