@@ -57,12 +57,6 @@ absl::StatusOr<std::optional<CellId>> CellInName(const std::string& path) {
   return std::optional<CellId>();
 }
 
-double MiddleOne(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<int64_t>(values.size()) / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // The distance of neighbours, tiles that begin at `lows` and are `size` wide in the median; `size` if there are none.
 double PitchOf(std::vector<double> lows, double size) {
   std::ranges::sort(lows);
@@ -70,7 +64,7 @@ double PitchOf(std::vector<double> lows, double size) {
   for (size_t i = 1; i < lows.size(); ++i) {
     if (lows[i] - lows[i - 1] > size / 2) steps.push_back(lows[i] - lows[i - 1]);
   }
-  return steps.empty() ? size : MiddleOne(std::move(steps));
+  return steps.empty() ? size : UpperMedian(std::move(steps));
 }
 
 // The cells of tiles without numbers in their names, by a grid along turned axes.
@@ -85,7 +79,7 @@ std::vector<CellId> CellsByPlace(const std::vector<ConvexHull>& hulls, double tu
       lows.push_back(box.lo[k]);
     }
     const double least = *std::ranges::min_element(lows);
-    const double pitch = PitchOf(std::move(lows), std::fmax(1, MiddleOne(std::move(sizes))));
+    const double pitch = PitchOf(std::move(lows), std::fmax(1, UpperMedian(std::move(sizes))));
     for (size_t t = 0; t < boxes.size(); ++t) {
       const double at = ((boxes[t].lo[k] + boxes[t].hi[k]) / 2 - least) / pitch;
       (k == 0 ? cells[t].col : cells[t].row) = static_cast<int32_t>(std::fmin(at, kMaxCellsPerSide));

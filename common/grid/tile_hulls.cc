@@ -31,14 +31,13 @@ void AddSide(Iterator begin, Iterator end, ConvexHull& hull) {
   hull.pop_back();
 }
 
-// Not empty.
-double Median(std::vector<double> values) {
+}  // namespace
+
+double UpperMedian(std::vector<double> values) {
   const auto middle = values.begin() + std::ssize(values) / 2;
   std::ranges::nth_element(values, middle);
   return *middle;
 }
-
-}  // namespace
 
 ConvexHull HullOf(std::vector<Point2> points) {
   std::ranges::sort(points, {}, [](const Point2& p) { return std::pair(p.x(), p.y()); });
@@ -91,7 +90,7 @@ double TurnOfSides(const std::vector<ConvexHull>& hulls) {
     if (const std::optional<double> turn = MainTurn(sides, kLeastOfSides)) turns.push_back(*turn);
   }
   if (turns.empty()) return 0;
-  const double turn = Median(std::move(turns));
+  const double turn = UpperMedian(std::move(turns));
   return std::abs(turn) < kLeastGridTurn ? 0 : turn;
 }
 
@@ -107,7 +106,7 @@ double MedianGap(const std::vector<TileHull>& tiles, double turn) {
     compare({cell.col + 1, cell.row}, 0);
     compare({cell.col, cell.row + 1}, 1);
   }
-  return gaps.empty() ? std::numeric_limits<double>::infinity() : Median(std::move(gaps));
+  return gaps.empty() ? std::numeric_limits<double>::infinity() : UpperMedian(std::move(gaps));
 }
 
 double MedianSide(const std::vector<TileHull>& tiles, double turn) {
@@ -116,7 +115,7 @@ double MedianSide(const std::vector<TileHull>& tiles, double turn) {
     const Box bounds = BoundsOf(tile.hull, turn);
     for (const int axis : {0, 1}) sides.push_back(bounds.hi[axis] - bounds.lo[axis]);
   }
-  return Median(std::move(sides));
+  return UpperMedian(std::move(sides));
 }
 
 }  // namespace tilemend

@@ -18,10 +18,9 @@ import signal
 import struct
 import subprocess
 import sys
-import tempfile
 import time
 
-from cluster_harness import Bench, Failure, await_, require
+from cluster_harness import await_, require, run_attack
 
 TICKS = os.sysconf('SC_CLK_TCK')
 HEADER = '''ply
@@ -138,28 +137,24 @@ def main():
     parser.add_argument('--waits', type=float, nargs='+', default=[2, 15])
     parser.add_argument('--most-seconds', type=float, default=20)
     options = parser.parse_args()
-    with tempfile.TemporaryDirectory() as folder:
+
+    def attack_with(bench):
+        folder = bench.folder
         scene = os.path.join(folder, 'scene')
         write_scene(scene, options.vertices)
-        bench = Bench(options.bin, folder)
-        try:
-            bench.start()
-            require(bench.await_serving(), bench.said())
-            bench.add_workers()
-            attack = Attack(bench, scene, options.most_seconds)
-            attack.do_another_job()
-            for wait in options.waits:
-                attack.cancel(wait)
-            os.rename(os.path.join(folder, 'small'), os.path.join(folder, 'first'))
-            os.rename(os.path.join(folder, 'small-out'), os.path.join(folder, 'first-out'))
-            attack.do_another_job()
-            attack.stop_a_worker(options.waits[-1])
-        except Failure as failure:
-            print(failure)
-            return 1
-        finally:
-            bench.close()
-    return 0
+        bench.start()
+        require(bench.await_serving(), bench.said())
+        bench.add_workers()
+        attack = Attack(bench, scene, options.most_seconds)
+        attack.do_another_job()
+        for wait in options.waits:
+            attack.cancel(wait)
+        os.rename(os.path.join(folder, 'small'), os.path.join(folder, 'first'))
+        os.rename(os.path.join(folder, 'small-out'), os.path.join(folder, 'first-out'))
+        attack.do_another_job()
+        attack.stop_a_worker(options.waits[-1])
+
+    return run_attack(attack_with)
 
 
 if __name__ == '__main__':

@@ -175,7 +175,10 @@ def check_output(reference, out):
 
 
 def run_attack(attack):
-    """The exit code of a test that calls `attack` with a bench for the programs in the folder sys.argv[1]."""
+    """The exit code of a test that calls `attack` with a bench for the programs in the folder sys.argv[1].
+
+    A bench has a folder of its own, bench.folder, which is removed at the end.
+    """
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(sys.argv[1], folder)
         try:

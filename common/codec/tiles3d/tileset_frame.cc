@@ -16,7 +16,7 @@ namespace {
 constexpr double kDeep = 6.33e6, kHigh = 6.4e6;
 // Of directions that are taken as the same: 1.4 cm at 1 km.
 constexpr double kSameDirection = 1e-10;
-constexpr double kSameAngle = 1.4e-5;                                    // radians: the same
+constexpr double kSameAngle = 1.4e-5;                                    // radians, whose cosine is 1 - kSameDirection
 constexpr double kSemiMajor = 6378137, kFlattening = 1 / 298.257223563;  // WGS 84
 
 bool IsOnEarth(const Point3& p) { return p.norm() > kDeep && p.norm() < kHigh; }
