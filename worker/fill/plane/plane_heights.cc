@@ -35,8 +35,8 @@ void AddLaplacians(const LocalHole& hole, const std::vector<bool>& has_equation,
 
 // Solves nothing if the surface is to have walls.
 std::optional<std::vector<double>> SolveWhole(const LocalHole& hole, const FillOptions& options,
-                                              ThinPlateProblem& plate, std::optional<HoldOut>& chosen,
-                                              bool& has_walls) {
+                                              const GroundTrend& ground, ThinPlateProblem& plate,
+                                              std::optional<HoldOut>& chosen, bool& has_walls) {
   FreeSteepRim(plate);
   if (options.tension || hole.tension) {
     plate.tension = options.tension ? *options.tension : *hole.tension;
@@ -44,7 +44,7 @@ std::optional<std::vector<double>> SolveWhole(const LocalHole& hole, const FillO
   }
   const double width = hole.size() < kMinRimForHoldOut ? 0 : HoleWidth(plate.points, hole.segments);
   chosen = ChooseTension(plate, width);
-  has_walls = (hole.open || hole.in_ground) && HasWalls(hole, *chosen, width);
+  has_walls = (hole.open || hole.in_ground) && HasWalls(hole, *chosen, ground);
   if (has_walls) return std::nullopt;
   plate.tension = chosen->tension;
   auto laplacian = SolveWithinReach(plate);
@@ -55,14 +55,15 @@ std::optional<std::vector<double>> SolveWhole(const LocalHole& hole, const FillO
 bool SolveSurface(const LocalHole& hole, const ProjectionFrame& frame, const FillOptions& options, RimUse use,
                   ThinPlateProblem& plate, std::optional<HoldOut>& chosen) {
   if (frame.upright() && hole.walls.is_told()) return SolveWalledGround(SettledReadingsOf(hole), hole.walls, plate);
+  const GroundTrend ground = TrendOf(plate);
   bool has_walls = false;
   const auto laplacian = SolveOverSlope(frame.upright() ? hole.slope : Point2(0, 0), plate, [&] {
-    if (use == RimUse::kWhole) return SolveWhole(hole, options, plate, chosen, has_walls);
+    if (use == RimUse::kWhole) return SolveWhole(hole, options, ground, plate, chosen, has_walls);
     plate.tension = options.tension.value_or(0);
     return SolveThinPlate(plate);
   });
   if (!has_walls) return laplacian.has_value();
-  chosen->walls = TrendOf(plate);
+  chosen->walls = ground;
   return SolveWalledGround(ReadingsOf(hole), chosen->walls, plate);
 }
 

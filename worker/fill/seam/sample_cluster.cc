@@ -57,11 +57,12 @@ class ClusterSampler {
     ThinPlateProblem problem = Problem();
     ClusterSurface surface;
     if (!FreeRim(hole_.on_object, hole_.ground, problem)) return std::nullopt;
+    const GroundTrend ground = TrendOf(problem);
     bool has_walls = false;
     std::optional<std::vector<double>> laplacian = SolveOverSlope(
-        cluster_.holes[0].slope, problem, [&] { return SolvePlate(problem, surface.hold_out, has_walls); });
+        cluster_.holes[0].slope, problem, [&] { return SolvePlate(ground, problem, surface.hold_out, has_walls); });
     if (has_walls) {
-      surface.hold_out->walls = TrendOf(problem);
+      surface.hold_out->walls = ground;
       laplacian.emplace(problem.points.size(), 0);
       if (!SolveWalledGround(ReadingsOf(hole_), surface.hold_out->walls, problem)) return std::nullopt;
     }
@@ -73,13 +74,13 @@ class ClusterSampler {
  private:
   // Fills in the heights; returns the Laplacians. Chooses the tension where it is open. Solves nothing if the surface
   // is to have walls.
-  std::optional<std::vector<double>> SolvePlate(ThinPlateProblem& problem, std::optional<HoldOut>& hold_out,
-                                                bool& has_walls) const {
+  std::optional<std::vector<double>> SolvePlate(const GroundTrend& ground, ThinPlateProblem& problem,
+                                                std::optional<HoldOut>& hold_out, bool& has_walls) const {
     FreeSteepRim(problem);
     const double width = HoleWidth(problem.points, OutlineSegments());
     if (!options_.tension) {
       hold_out = ChooseTension(problem, width);
-      has_walls = HasWalls(hole_, *hold_out, width);
+      has_walls = HasWalls(hole_, *hold_out, ground);
       if (has_walls) return std::nullopt;
     }
     problem.tension = options_.tension ? *options_.tension : hold_out->tension;

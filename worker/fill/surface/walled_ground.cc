@@ -19,9 +19,8 @@
 namespace tilemend {
 namespace {
 
-constexpr double kManyObjects = 0.1;     // of the rim's original vertices
-constexpr double kTautTension = 20;      // times 1 / width^2: between two candidates of ChooseTension
-constexpr double kUsualSteepness = 0.1;  // rise / run, as GroundFilterOptions::slope
+constexpr double kManyObjects = 0.05;   // of the rim's original vertices
+constexpr double kMostSteepness = 0.1;  // rise / run, as GroundFilterOptions::slope: what is steeper is no ground to it
 constexpr double kLeastSteepness = 0.02;
 // What a square metre between a reading and the surface costs, where one of wall costs 1.
 constexpr double kCostBelowReading = 0.25;  // the surface passes below the reading
@@ -229,20 +228,21 @@ GroundTrend TrendOf(const ThinPlateProblem& problem) {
     x.emplace_back(slope.x(), normal.z());
     y.emplace_back(slope.y(), normal.z());
   }
-  if (slopes.empty()) return {{0, 0}, kUsualSteepness};
+  if (slopes.empty()) return {{0, 0}, kMostSteepness};
   const Point2 trend(*WeightedMedian(std::move(x)), *WeightedMedian(std::move(y)));
   for (const auto& [slope, area] : slopes) beside.emplace_back((slope - trend).norm(), area);
-  return {trend, std::max(*WeightedMedian(std::move(beside)), kLeastSteepness)};
+  return {trend, std::clamp(*WeightedMedian(std::move(beside)), kLeastSteepness, kMostSteepness)};
 }
 
-bool HasWalls(const LocalHole& hole, const HoldOut& chosen, double width) {
+bool HasWalls(const LocalHole& hole, const HoldOut& chosen, const GroundTrend& trend) {
   int originals = 0, on_objects = 0;
   for (const int32_t v : hole.vertices) {
     if (v < 0 || hole.cell->vertices[v].index < 0) continue;
     ++originals;
     if (hole.cell->vertices[v].on_object) ++on_objects;
   }
-  return on_objects > 0 && on_objects >= kManyObjects * originals && chosen.tension * width * width > kTautTension;
+  return on_objects > 0 && on_objects >= kManyObjects * originals && chosen.tension > 0 &&
+         trend.slope.norm() <= kMostSteepness;
 }
 
 std::vector<RimReading> ReadingsOf(const LocalHole& hole) {

@@ -19,14 +19,14 @@ enum class RimReading : uint8_t {
 };
 
 // The ground around a hole, from the triangles of the band that are no walls: the median slope, and the median
-// steepness beside that. 2 % at least; 10 % where the band has no ground. O(n log n).
+// steepness beside that, from 2 to 10 %; 10 % where the band has no ground. O(n log n).
 GroundTrend TrendOf(const ThinPlateProblem& problem);
 
-// Whether such a surface is looked for: a tenth of the rim's original vertices or more stand on objects, and the
-// tension that the rim chose is taut beyond a fifth of the width (30 / width^2 or more). So is that of a rim that was
-// not tested, as most of it stands on objects.
-//   width  of the hole, metres
-bool HasWalls(const LocalHole& hole, const HoldOut& chosen, double width);
+// Whether such a surface is looked for: a twentieth of the rim's original vertices or more stand on objects, and the
+// rim did not choose a plate without tension. Where the ground is steeper than 10 %, what the filter took for objects
+// may be its own slope.
+//   chosen  what ChooseTension said
+bool HasWalls(const LocalHole& hole, const HoldOut& chosen, const GroundTrend& trend);
 
 // Of the vertices of a hole. What stands on the ground is a reading, and the ground under an object where it is known.
 // New vertices of known height are fixed, and objects that the surface meets.

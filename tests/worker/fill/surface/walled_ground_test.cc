@@ -153,14 +153,16 @@ TEST(WalledGroundTest, TheTrendIsThatOfTheBandWithoutItsWalls) {
   EXPECT_NEAR(trend.slope.x(), 0.3, 1e-9);
   EXPECT_NEAR(trend.slope.y(), -0.2, 1e-9);
   EXPECT_NEAR(trend.steepness, 0.02, 1e-9);
+  const auto rough = [](double x, double y) { return std::sin(2 * x) * std::sin(3 * y); };
+  EXPECT_NEAR(TrendOf(MakePlate(rough, Everywhere, Nowhere).problem).steepness, 0.1, 1e-9);
   plate.problem.band.clear();
   EXPECT_DOUBLE_EQ(TrendOf(plate.problem).steepness, 0.1);
 }
 
-// A rim of ten vertices, of which `objects` stand on objects.
-bool HasWallsWith(int objects, double tension) {
+// A rim of twenty vertices, of which `objects` stand on objects.
+bool HasWallsWith(int objects, double tension, double slope) {
   CellHoles cell;
-  for (int v = 0; v < 10; ++v) {
+  for (int v = 0; v < 20; ++v) {
     RimVertex vertex;
     vertex.index = v;
     vertex.on_object = v < objects;
@@ -168,14 +170,15 @@ bool HasWallsWith(int objects, double tension) {
   }
   LocalHole hole;
   hole.cell = &cell;
-  for (int v = 0; v < 10; ++v) hole.vertices.push_back(v);
-  return HasWalls(hole, HoldOut{tension, 0, 0, 5}, 10);
+  for (int v = 0; v < 20; ++v) hole.vertices.push_back(v);
+  return HasWalls(hole, HoldOut{tension, 0, 0, 5}, {.slope = {0.6 * slope, -0.8 * slope}});
 }
 
-TEST(WalledGroundTest, IsForTautSurfacesBetweenObjects) {
-  EXPECT_TRUE(HasWallsWith(1, 0.3));
-  EXPECT_FALSE(HasWallsWith(0, 0.3));
-  EXPECT_FALSE(HasWallsWith(1, 0.1));
+TEST(WalledGroundTest, IsForGentleGroundBetweenObjects) {
+  EXPECT_TRUE(HasWallsWith(1, 0.01, 0.09));
+  EXPECT_FALSE(HasWallsWith(0, 0.01, 0.09));
+  EXPECT_FALSE(HasWallsWith(1, 0, 0.09));
+  EXPECT_FALSE(HasWallsWith(1, 0.01, 0.11));
 }
 
 TEST(WalledGroundTest, ReadsGroundAndWhatIsKnownUnderObjects) {
