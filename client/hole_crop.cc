@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "absl/container/flat_hash_map.h"
 #include "common/mesh/position_index.h"
@@ -18,16 +19,14 @@ constexpr double kLeastMargin = 3, kMostMargin = 60;
 constexpr double kCoarser = 1.3;      // from one grid to the next
 constexpr double kCentreSlack = 0.2;  // metres: the centre of a hole in a wall may lie beside its fill
 
-SpaceTriangle CornersOf(const TriMesh& mesh, int32_t t) {
-  const Triangle& corners = mesh.triangles[t];
-  return {mesh.points[corners[0]], mesh.points[corners[1]], mesh.points[corners[2]]};
-}
-
-Eigen::AlignedBox3d BoxOfCorners(const SpaceTriangle& t) {
-  Eigen::AlignedBox3d box(t[0]);
-  box.extend(t[1]);
-  box.extend(t[2]);
-  return box;
+// On which sides of the box a point lies, a bit for each. Triangles whose corners share a bit lie outside it.
+uint8_t SidesOf(const Point3& p, const Eigen::AlignedBox3d& box) {
+  uint8_t sides = 0;
+  for (int k = 0; k < 3; ++k) {
+    sides |= static_cast<uint8_t>((p[k] < box.min()[k] ? 1 : 0) << 2 * k);
+    sides |= static_cast<uint8_t>((p[k] > box.max()[k] ? 2 : 0) << 2 * k);
+  }
+  return sides;
 }
 
 using GridKey = std::array<int64_t, 3>;
@@ -37,28 +36,88 @@ GridKey KeyAt(const Point3& p, double step) {
           static_cast<int64_t>(std::floor(p.z() / step))};
 }
 
-// The faces with the vertices of each square of a grid moved to their mean; those that become flat are gone.
-std::vector<HoleCrop::Face> OnGrid(const std::vector<HoleCrop::Face>& faces, double step) {
-  absl::flat_hash_map<GridKey, std::pair<Point3, double>> sums;
-  for (const HoleCrop::Face& face : faces) {
-    for (const Point3& p : face.corners) {
-      auto& [sum, count] = sums.try_emplace(KeyAt(p, step), Point3(0, 0, 0), 0.0).first->second;
-      sum += p;
-      count += 1;
-    }
+// Faces by the numbers of their corners in a list of positions, so that a grid is asked once for each position.
+class CropMesh {
+ public:
+  explicit CropMesh(const Eigen::AlignedBox3d& box) : box_(box) {}
+
+  // Adds triangles of `mesh` that meet the box. `each` calls what it is given with each triangle to look at.
+  void Add(const TriMesh& mesh, const auto& each) {
+    std::vector<uint8_t> sides(mesh.points.size());
+    for (size_t v = 0; v < sides.size(); ++v) sides[v] = SidesOf(mesh.points[v], box_);
+    std::vector<int32_t> number(mesh.points.size(), -1);
+    each([&](int32_t t, FaceState state) {
+      const Triangle& corners = mesh.triangles[t];
+      if ((sides[corners[0]] & sides[corners[1]] & sides[corners[2]]) != 0) return;
+      Face& face = faces_.emplace_back(t, state, corners);
+      for (int32_t& v : face.corners) v = NumberOf(v, mesh, number);
+    });
   }
-  std::vector<HoleCrop::Face> kept;
-  for (HoleCrop::Face face : faces) {
-    std::array<GridKey, 3> keys;
-    for (size_t k = 0; k < 3; ++k) {
-      keys[k] = KeyAt(face.corners[k], step);
-      const auto& [sum, count] = sums.at(keys[k]);
-      face.corners[k] = sum / count;
+
+  // Moves the vertices in each square of a grid to their mean, each counted once for each face. Faces that become flat
+  // are dropped.
+  void MoveToGrid(double step) {
+    absl::flat_hash_map<GridKey, int32_t> squares;
+    std::vector<int32_t> square_of(points_.size(), -1);
+    std::vector<Point3> sums;
+    std::vector<double> counts;
+    GridKey last_key{INT64_MAX, 0, 0};  // neighbours are often in one square
+    int32_t last_square = -1;
+    for (const Face& face : faces_) {
+      for (const int32_t v : face.corners) {
+        if (square_of[v] < 0) {
+          const GridKey key = KeyAt(points_[v], step);
+          if (key != last_key) last_square = squares.try_emplace(key, std::ssize(sums)).first->second;
+          last_key = key;
+          square_of[v] = last_square;
+          sums.resize(squares.size(), Point3(0, 0, 0));
+          counts.resize(squares.size(), 0);
+        }
+        sums[square_of[v]] += points_[v];
+        counts[square_of[v]] += 1;
+      }
     }
-    if (keys[0] != keys[1] && keys[1] != keys[2] && keys[2] != keys[0]) kept.push_back(face);
+    for (size_t i = 0; i < sums.size(); ++i) sums[i] /= counts[i];
+    points_ = std::move(sums);
+    for (Face& face : faces_) {
+      for (int32_t& v : face.corners) v = square_of[v];
+    }
+    std::erase_if(faces_, [](const Face& face) {
+      const Triangle& v = face.corners;
+      return v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
+    });
   }
-  return kept;
-}
+
+  int64_t size() const { return std::ssize(faces_); }
+
+  std::vector<HoleCrop::Face> Faces() const {
+    std::vector<HoleCrop::Face> faces;
+    faces.reserve(faces_.size());
+    for (const Face& f : faces_) {
+      faces.push_back({f.triangle, f.state, {points_[f.corners[0]], points_[f.corners[1]], points_[f.corners[2]]}});
+    }
+    return faces;
+  }
+
+ private:
+  struct Face {
+    int32_t triangle;
+    FaceState state;
+    Triangle corners;
+  };
+
+  int32_t NumberOf(int32_t v, const TriMesh& mesh, std::vector<int32_t>& number) {
+    if (number[v] < 0) {
+      number[v] = static_cast<int32_t>(points_.size());
+      points_.push_back(mesh.points[v]);
+    }
+    return number[v];
+  }
+
+  const Eigen::AlignedBox3d box_;
+  std::vector<Point3> points_;
+  std::vector<Face> faces_;
+};
 
 }  // namespace
 
@@ -103,18 +162,22 @@ HoleCrop CropAround(const TilePair& tile, const Eigen::AlignedBox3d& fill) {
   Eigen::AlignedBox3d box = fill;
   box.extend(Point3(fill.min().array() - margin));
   box.extend(Point3(fill.max().array() + margin));
-  HoleCrop crop;
-  const auto add = [&](const TriMesh& mesh, int32_t t, FaceState state) {
-    const SpaceTriangle corners = CornersOf(mesh, t);
-    if (box.intersects(BoxOfCorners(corners))) crop.faces.push_back({t, state, corners});
-  };
-  for (int32_t t = 0; t < std::ssize(tile.change.added); ++t) {
-    add(tile.after.faces.mesh, t, tile.change.added[t] ? FaceState::kAdded : FaceState::kKept);
+  CropMesh mesh(box);
+  mesh.Add(tile.after.faces.mesh, [&](const auto& use) {
+    for (int32_t t = 0; t < std::ssize(tile.change.added); ++t) {
+      use(t, tile.change.added[t] ? FaceState::kAdded : FaceState::kKept);
+    }
+  });
+  if (!tile.change.missing.empty()) {
+    mesh.Add(tile.before.faces.mesh, [&](const auto& use) {
+      for (const int32_t t : tile.change.missing) use(t, FaceState::kCleared);
+    });
   }
-  for (const int32_t t : tile.change.missing) add(tile.before.faces.mesh, t, FaceState::kCleared);
-  crop.faces_there = std::ssize(crop.faces);
+  HoleCrop crop;
+  crop.faces_there = mesh.size();
   double step = box.sizes().head<2>().norm() / std::sqrt(static_cast<double>(kMostCropFaces));
-  for (; std::ssize(crop.faces) > kMostCropFaces; step *= kCoarser) crop.faces = OnGrid(crop.faces, step);
+  for (; mesh.size() > kMostCropFaces; step *= kCoarser) mesh.MoveToGrid(step);
+  crop.faces = mesh.Faces();
   return crop;
 }
 

@@ -6,8 +6,9 @@ namespace tilemend {
 
 absl::StatusOr<std::string> Gzip(std::string_view bytes) {
   z_stream stream{};
+  constexpr int kLevel = 6;             // 9 takes 4 to 5 times as long for 0.1 % less
   constexpr int kGzipWindow = 15 + 16;  // zlib's way to ask for a gzip header, which has no time in it
-  if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kGzipWindow, 9, Z_DEFAULT_STRATEGY) != Z_OK) {
+  if (deflateInit2(&stream, kLevel, Z_DEFLATED, kGzipWindow, 9, Z_DEFAULT_STRATEGY) != Z_OK) {
     return absl::ResourceExhaustedError("no memory to compress it");
   }
   std::string out(deflateBound(&stream, bytes.size()), '\0');

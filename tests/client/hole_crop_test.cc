@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstring>
+#include <map>
 
 #include "client/crop_bytes.h"
 #include "client/picture_atlas.h"
@@ -91,6 +93,31 @@ TEST(HoleCropTest, APictureHasABoundedNumberOfTriangles) {
   EXPECT_GT(crop.faces_there, kMostCropFaces);
   EXPECT_LE(std::ssize(crop.faces), kMostCropFaces);
   EXPECT_THAT(std::ssize(crop.faces), Ge(kMostCropFaces / 4));
+}
+
+// Faces that share a vertex share it in the picture, and a cleared face keeps its own mesh's corners.
+TEST(HoleCropTest, OnAGridNeighboursStillShareVertices) {
+  TilePair pair = Filled(121);
+  pair.change.missing = {7};
+  const HoleCrop crop = CropAround(pair, {Point3(0, 0, 0), Point3(121, 121, 0)});
+  std::map<std::array<double, 3>, int> faces_at;
+  double area = 0;
+  for (const HoleCrop::Face& face : crop.faces) {
+    for (const Point3& p : face.corners) ++faces_at[{p.x(), p.y(), p.z()}];
+    area += (face.corners[1] - face.corners[0]).cross(face.corners[2] - face.corners[0]).z() / 2;
+  }
+  EXPECT_LT(std::ssize(faces_at), kMostCropFaces);
+  EXPECT_NEAR(area, 121 * 121, 0.05 * 121 * 121) << "no gaps; vertices at the border move inwards";
+}
+
+TEST(HoleCropTest, ATriangleAcrossTheBoxIsInThePicture) {
+  TilePair pair;
+  pair.after.faces.mesh = {{{-90, -90, 0}, {90, -90, 0}, {0, 90, 0}, {-90, 50, 0}, {-80, 50, 0}, {-80, 60, 0}},
+                           {{0, 1, 2}, {3, 4, 5}}};
+  pair.change.added = {false, false};
+  const HoleCrop crop = CropAround(pair, {Point3(-1, -1, 0), Point3(1, 1, 0)});
+  ASSERT_THAT(crop.faces, SizeIs(1));
+  EXPECT_EQ(crop.faces[0].triangle, 0);
 }
 
 uint32_t Number(const std::string& bytes, size_t at) {

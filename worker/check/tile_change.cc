@@ -46,12 +46,25 @@ void MatchInAnyOrder(const LookedMesh& before, const LookedMesh& after, TileChan
   std::sort(change.missing.begin(), change.missing.end());
 }
 
+// Compares bits.
+template <typename Value>
+bool BeginsWith(const std::vector<Value>& all, const std::vector<Value>& first) {
+  return first.size() <= all.size() &&
+         (first.empty() || std::memcmp(all.data(), first.data(), first.size() * sizeof(Value)) == 0);
+}
+
 }  // namespace
 
 TileChange CompareTiles(const LookedMesh& before, const LookedMesh& after) {
   TileChange change;
   change.added.assign(after.mesh.triangles.size(), true);
   const auto count = static_cast<int32_t>(before.mesh.triangles.size());
+  if (BeginsWith(after.mesh.points, before.mesh.points) && BeginsWith(after.mesh.triangles, before.mesh.triangles) &&
+      BeginsWith(after.looks, before.looks)) {  // the fills were appended
+    std::fill_n(change.added.begin(), count, false);
+    change.added_count = std::ssize(change.added) - count;
+    return change;
+  }
   int32_t next = 0;
   for (int32_t t = 0; t < count; ++t) {
     if (next < std::ssize(change.added) && KeyOf(before, t) == KeyOf(after, next)) {
