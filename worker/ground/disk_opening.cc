@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 
 namespace tilemend {
 namespace {
@@ -17,8 +18,9 @@ std::vector<int32_t> HalfWidths(int32_t radius) {
   return widths;
 }
 
-void LowerTo(const int16_t* other, int32_t count, int16_t* values) {
-  for (int32_t i = 0; i < count; ++i) values[i] = std::min(values[i], other[i]);
+// The lower of each two values.
+void LowerOf(const int16_t* a, const int16_t* b, int32_t count, int16_t* __restrict lower) {
+  for (int32_t i = 0; i < count; ++i) lower[i] = std::min(a[i], b[i]);
 }
 
 // Rows with `radius` squares more on both sides, and their minima over 2^k squares from each square on.
@@ -26,54 +28,59 @@ class RunMinima {
  public:
   RunMinima(const StepRaster& raster, int32_t radius) : radius_(radius), width_(raster.cols + 2 * radius) {
     const auto levels = static_cast<size_t>(std::bit_width(static_cast<uint32_t>(2 * radius + 1)));
-    rows_.resize(levels);
-    for (auto& level : rows_) level.assign(static_cast<size_t>(width_) * raster.rows, kNoSurface);
+    const size_t size = static_cast<size_t>(width_) * raster.rows;
+    for (size_t k = 0; k < levels; ++k) rows_.push_back(std::make_unique_for_overwrite<int16_t[]>(size));
+    std::fill_n(rows_[0].get(), size, kNoSurface);
     for (int32_t r = 0; r < raster.rows; ++r) {
       const auto* from = raster.heights.data() + static_cast<size_t>(r) * raster.cols;
       std::copy(from, from + raster.cols, Row(0, r) + radius);
       for (size_t k = 1; k < levels; ++k) {
         const int32_t half = 1 << (k - 1);
-        std::copy(Row(k - 1, r), Row(k - 1, r) + width_, Row(k, r));
-        LowerTo(Row(k - 1, r) + half, width_ - half, Row(k, r));
+        LowerOf(Row(k - 1, r), Row(k - 1, r) + half, width_ - half, Row(k, r));
+        std::copy(Row(k - 1, r) + width_ - half, Row(k - 1, r) + width_, Row(k, r) + width_ - half);
       }
     }
   }
 
-  // Lowers each value to the minimum of rows r and s from `half` squares before it to as many behind it. One pass for
-  // both, as that takes less than half the time of a pass for each run.
-  void Lower(int32_t r, int32_t s, int32_t half, int32_t cols, int16_t* __restrict values) const {
+  struct Columns {
+    int32_t first, end;
+  };
+
+  // Lowers the value of each column to the minimum of rows r and s from `half` squares before it to as many behind it.
+  // One pass for both, as that takes less than half the time of a pass for each run.
+  void Lower(int32_t r, int32_t s, int32_t half, Columns columns, int16_t* __restrict values) const {
     const auto k = static_cast<size_t>(std::bit_width(static_cast<uint32_t>(2 * half + 1)) - 1);
     const ptrdiff_t to_second = 2 * half + 1 - (1 << k);  // from the run that begins `half` squares before
-    const int16_t* of_r = Run(k, r) - half;
-    const int16_t* of_s = Run(k, s) - half;
-    for (int32_t i = 0; i < cols; ++i) {
+    const int16_t* of_r = Run(k, r) + columns.first - half;
+    const int16_t* of_s = Run(k, s) + columns.first - half;
+    for (int32_t i = 0; i < columns.end - columns.first; ++i) {
       const int16_t in_r = std::min(of_r[i], of_r[i + to_second]), in_s = std::min(of_s[i], of_s[i + to_second]);
       values[i] = std::min(values[i], std::min(in_r, in_s));
     }
   }
 
  private:
-  const int16_t* Run(size_t k, int32_t r) const { return rows_[k].data() + static_cast<size_t>(r) * width_ + radius_; }
-  int16_t* Row(size_t level, int32_t r) { return rows_[level].data() + static_cast<size_t>(r) * width_; }
+  const int16_t* Run(size_t k, int32_t r) const { return rows_[k].get() + static_cast<size_t>(r) * width_ + radius_; }
+  int16_t* Row(size_t level, int32_t r) { return rows_[level].get() + static_cast<size_t>(r) * width_; }
 
   const int32_t radius_, width_;
-  std::vector<std::vector<int16_t>> rows_;
+  std::vector<std::unique_ptr<int16_t[]>> rows_;
 };
 
-// The lowest over each disk.
-StepRaster ErodedByDisk(const StepRaster& raster, int32_t radius) {
+// The lowest over each disk, of the squares that are asked for.
+StepRaster ErodedByDisk(const StepRaster& raster, int32_t radius, const SquareBlocks& asked) {
   const RunMinima minima(raster, radius);
   const std::vector<int32_t> half_widths = HalfWidths(radius);
   StepRaster lowest{raster.cols, raster.rows, std::vector<int16_t>(raster.heights.size(), kNoSurface)};
-  for (int32_t r = 0; r < raster.rows; ++r) {
-    int16_t* values = lowest.heights.data() + static_cast<size_t>(r) * raster.cols;
+  asked.ForRuns([&](int32_t r, int32_t first, int32_t end) {
+    int16_t* values = lowest.heights.data() + static_cast<size_t>(r) * raster.cols + first;
     for (int32_t dy = 0; dy <= radius; ++dy) {
       const bool has_above = r + dy < raster.rows, has_below = r - dy >= 0;
       if (!has_above && !has_below) continue;
       const int32_t above = has_above ? r + dy : r - dy, below = has_below ? r - dy : r + dy;
-      minima.Lower(above, below, half_widths[dy], raster.cols, values);
+      minima.Lower(above, below, half_widths[dy], {first, end}, values);
     }
-  }
+  });
   return lowest;
 }
 
@@ -84,12 +91,16 @@ void Negate(StepRaster& raster) {
 
 }  // namespace
 
-StepRaster OpenedByDisk(const StepRaster& raster, int32_t radius) {
-  StepRaster opened = ErodedByDisk(raster, radius);
+StepRaster OpenedByDisk(const StepRaster& raster, int32_t radius, const SquareBlocks& asked) {
+  StepRaster opened = ErodedByDisk(raster, radius, asked.GrownBy(radius));
   Negate(opened);
-  opened = ErodedByDisk(opened, radius);
+  opened = ErodedByDisk(opened, radius, asked);
   Negate(opened);
   return opened;
+}
+
+StepRaster OpenedByDisk(const StepRaster& raster, int32_t radius) {
+  return OpenedByDisk(raster, radius, SquareBlocks::All(raster.cols, raster.rows));
 }
 
 }  // namespace tilemend

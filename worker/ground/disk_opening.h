@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "worker/ground/square_blocks.h"
+
 namespace tilemend {
 
 // Heights in whole steps, row by row.
@@ -24,6 +26,9 @@ inline constexpr int16_t kNoSurface = INT16_MAX;
 // Rows are first reduced to minima of 1, 2, 4, ... squares. So each row of the disk takes two of them (Urbach and
 // Wilkinson 2008). Cost O(radius) a square. Precondition: radius >= 0, and heights are at most INT16_MAX in size.
 StepRaster OpenedByDisk(const StepRaster& raster, int32_t radius);
+
+// The same in the squares of `asked`, a set for this raster. What other squares have has no meaning.
+StepRaster OpenedByDisk(const StepRaster& raster, int32_t radius, const SquareBlocks& asked);
 
 }  // namespace tilemend
 

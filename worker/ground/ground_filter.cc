@@ -63,6 +63,9 @@ void DropPits(double drop, StepRaster& raster) {
   }
 }
 
+// How far ground is looked for, metres.
+double SightOver(double square) { return std::max(kGroundSight, kMinSight * square); }
+
 // The smaller rise to either side; where one side has no ground, that of the other.
 float RiseBeside(float before, float here, float behind) {
   const float a = std::abs(here - before), b = std::abs(behind - here);
@@ -73,17 +76,24 @@ float RiseBeside(float before, float here, float behind) {
 }  // namespace
 
 FilteredGround::FilteredGround(GroundRaster lowest, const GroundFilterOptions& options)
+    : FilteredGround(lowest, options, SquareBlocks::All(lowest.cols, lowest.rows)) {}
+
+FilteredGround::FilteredGround(GroundRaster lowest, const GroundFilterOptions& options, const SquareBlocks& asked)
     : options_(options), ground_(std::move(lowest)) {
+  const SquareBlocks seen = asked.GrownBy(static_cast<int32_t>(SightOver(ground_.square) / ground_.square) + 1);
   const Steps steps(ground_.heights);
   StepRaster surface = InSteps(ground_, steps);
   DropPits(options.outlier_slope * ground_.square / steps.step, surface);
   StepRaster before = surface;
   for (const int32_t radius : Radii(options.window, ground_.square)) {
-    StepRaster opened = OpenedByDisk(surface, radius);
+    StepRaster opened = OpenedByDisk(surface, radius, seen);
     const double most = options.slope * radius * ground_.square / steps.step;
-    for (size_t i = 0; i < opened.heights.size(); ++i) {
-      if (before.heights[i] - opened.heights[i] > most) ground_.heights[i] = kNone;
-    }
+    seen.ForRuns([&](int32_t row, int32_t first, int32_t end) {
+      const size_t begin = static_cast<size_t>(row) * opened.cols;
+      for (size_t i = begin + first; i < begin + end; ++i) {
+        if (before.heights[i] - opened.heights[i] > most) ground_.heights[i] = kNone;
+      }
+    });
     before = std::move(opened);
   }
   for (size_t i = 0; i < surface.heights.size(); ++i) {
@@ -142,7 +152,7 @@ FilteredGround::Place FilteredGround::UnderObject(int32_t col, int32_t row) cons
 // The first ground in a direction, and the ground twice as far off.
 FilteredGround::Sight FilteredGround::Look(int32_t col, int32_t row, int32_t dx, int32_t dy) const {
   const double step = std::hypot(dx, dy) * ground_.square;
-  const double sight = std::max(kGroundSight, kMinSight * ground_.square);
+  const double sight = SightOver(ground_.square);
   for (int32_t k = 1; k * step <= sight; ++k) {
     const float height = At(ground_, col + k * dx, row + k * dy);
     if (std::isnan(height)) continue;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "common/records/ground_raster.h"
+#include "worker/ground/square_blocks.h"
 
 namespace tilemend {
 
@@ -40,11 +41,15 @@ inline double FilterReach(const GroundFilterOptions& options) { return 2 * optio
 // The tolerance is that of step 4: threshold + slope_factor * slope of the ground. On ground the slope is the smaller
 // of those to either side, so ground beside a wall is not steep. Under objects it is the mean one of the pairs.
 //
-// Cost: some 400 operations on 8 squares each, for windows of 50 squares.
+// Cost: some 400 operations on 8 squares each, for windows of 50 squares. Only what is asked for, or seen from
+// there, is opened.
 class FilteredGround {
  public:
   //   lowest  the lowest surface in each square (lowest_surface.h)
   FilteredGround(GroundRaster lowest, const GroundFilterOptions& options);
+
+  // For questions about the squares of `asked` alone, which is a set for this raster.
+  FilteredGround(GroundRaster lowest, const GroundFilterOptions& options, const SquareBlocks& asked);
 
   // Whether the square has surface that is no object.
   bool IsGround(int32_t col, int32_t row) const { return !std::isnan(At(ground_, col, row)); }

@@ -43,7 +43,12 @@ RimGround GroundAtRim(std::span<const Point3> vertices, std::span<const GroundRa
   GroundRaster lowest = Frame(vertices, rasters, square, FilterReach(options));
   for (const GroundRaster& r : rasters) LowerTo(r, lowest);
   if (lowest.empty()) return result;
-  const FilteredGround filtered(lowest, options);
+  SquareBlocks asked(lowest.cols, lowest.rows);
+  for (const Point3& v : vertices) {
+    const int32_t col = SquareAt(v.x(), square), row = SquareAt(v.y(), square);
+    if (lowest.Contains(col, row)) asked.Add(col - lowest.col, row - lowest.row);
+  }
+  const FilteredGround filtered(lowest, options, asked);
   for (size_t v = 0; v < vertices.size(); ++v) {
     const int32_t col = SquareAt(vertices[v].x(), square), row = SquareAt(vertices[v].y(), square);
     if (!lowest.Contains(col, row) || std::isnan(lowest.heights[lowest.IndexOf(col, row)])) continue;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <random>
+#include <utility>
 
 namespace tilemend {
 namespace {
@@ -45,6 +46,23 @@ TEST(OpenedByDiskTest, IsTheHighestOfTheLowestOverEachDisk) {
       EXPECT_EQ(OpenedByDisk(raster, radius).heights, Lowest(Lowest(raster, radius, false), radius, true).heights)
           << radius << " " << none;
     }
+  }
+}
+
+TEST(OpenedByDiskTest, IsTheSameInTheSquaresThatAreAskedFor) {
+  const StepRaster raster = Random(150, 90, 11, 0.1);
+  SquareBlocks asked(raster.cols, raster.rows);
+  for (const auto& [col, row] : {std::pair(3, 4), std::pair(70, 33), std::pair(80, 33), std::pair(149, 89)}) {
+    asked.Add(col, row);
+  }
+  for (const int32_t radius : {1, 5, 8, 20}) {
+    const StepRaster all = OpenedByDisk(raster, radius), part = OpenedByDisk(raster, radius, asked);
+    asked.ForRuns([&](int32_t row, int32_t first, int32_t end) {
+      for (int32_t col = first; col < end; ++col) {
+        ASSERT_EQ(part.heights[row * raster.cols + col], all.heights[row * raster.cols + col])
+            << radius << ": " << col << " " << row;
+      }
+    });
   }
 }
 

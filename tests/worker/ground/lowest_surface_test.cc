@@ -31,6 +31,21 @@ TEST(LowestSurfaceTest, TheLowestOfSeveralSurfacesCounts) {
   EXPECT_EQ(At(LowestSurface(mesh, 1), 1, 1), 2);
 }
 
+// Triangles that reach into two or four squares, of which the lower corner is in one: the other has to be lowered to
+// the triangle's height at its places.
+TEST(LowestSurfaceTest, ASmallTriangleLowersTheSquaresBesideItsLowestCorner) {
+  TriMesh mesh;
+  mesh.points = {{0.1, 0.1, 0}, {1.9, 0.2, 9}, {0.2, 1.9, 9}, {1.6, 1.6, 20}};
+  mesh.triangles = {{0, 1, 2}, {1, 3, 2}};
+  const GroundRaster raster = LowestSurface(mesh, 1);
+  EXPECT_EQ(At(raster, 0, 0), 0);
+  EXPECT_LT(At(raster, 1, 0), 8);
+  EXPECT_GT(At(raster, 1, 0), 5);
+  EXPECT_LT(At(raster, 0, 1), 8);
+  EXPECT_GT(At(raster, 1, 1), 10);
+  EXPECT_LT(At(raster, 1, 1), 19) << "a place of the second triangle";
+}
+
 TEST(LowestSurfaceTest, SquaresLieOnOneLatticeAlsoBelowZero) {
   TriMesh mesh;
   mesh.points = {{-2.5, -0.5, 1}, {-1.2, -0.5, 1}, {-2.5, 0.5, 1}};
