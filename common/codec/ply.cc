@@ -146,16 +146,23 @@ template <bool kSwap>
 const char* ReadTriangles(const char* p, const char* end, const FixedFaces& layout, size_t limit, TriMesh* mesh) {
   constexpr size_t kListBytes = 13;
   const size_t stride = layout.before + kListBytes + layout.after;
+  std::array<Triangle, 512> run;  // added at once: a push_back for each takes twice the time
+  size_t count = 0;
+  const auto add = [&] {
+    if (mesh != nullptr) mesh->triangles.insert(mesh->triangles.end(), run.begin(), run.begin() + count);
+    count = 0;
+  };
   for (size_t k = 0; k < limit && static_cast<size_t>(end - p) >= stride; ++k, p += stride) {
     const char* list = p + layout.before;
-    if (*list != 3) return p;
+    if (*list != 3) break;
     const uint32_t a = LoadValue<uint32_t>(list + 1, kSwap);
     const uint32_t b = LoadValue<uint32_t>(list + 5, kSwap);
     const uint32_t c = LoadValue<uint32_t>(list + 9, kSwap);
-    if (std::max({a, b, c}) >= layout.vertices || a == b || b == c || a == c) return p;
-    if (mesh != nullptr)
-      mesh->triangles.push_back({static_cast<int32_t>(a), static_cast<int32_t>(b), static_cast<int32_t>(c)});
+    if (std::max(a, std::max(b, c)) >= layout.vertices || a == b || b == c || a == c) break;
+    run[count] = {static_cast<int32_t>(a), static_cast<int32_t>(b), static_cast<int32_t>(c)};
+    if (++count == run.size()) add();
   }
+  add();
   return p;
 }
 
