@@ -128,7 +128,8 @@ class WorkService : public v1::Work::WithCallbackMethod_Sync<v1::Work::Service> 
   grpc::ServerUnaryReactor* Sync(grpc::CallbackServerContext* context, const v1::SyncRequest* request,
                                  v1::SyncResponse* response) override {
     auto* const reactor = new SyncReactor(served_.entrance, served_.calls.work, *context, *response);
-    reactor->Begin(PeerOf(*context), *request);
+    // gRPC's own object, which is const to its users only.
+    reactor->Begin(PeerOf(*context), *const_cast<v1::SyncRequest*>(request));  // NOLINT(*-const-cast)
     return reactor;
   }
   grpc::Status ReadBlob(ServerContext* context, const v1::ReadBlobRequest* request,

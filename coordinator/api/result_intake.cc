@@ -49,16 +49,16 @@ bool IsAboutFiles(const absl::Status& status) { return absl::IsNotFound(status) 
 
 }  // namespace
 
-std::vector<ResultIntake::Report> ResultIntake::Prepare(const v1::SyncRequest& request) {
+std::vector<ResultIntake::Report> ResultIntake::Prepare(v1::SyncRequest& request) {
   std::vector<Report> reports;
   reports.reserve(static_cast<size_t>(request.finished_size()));
-  for (const v1::FinishedTask& finished : request.finished()) {
+  for (v1::FinishedTask& finished : *request.mutable_finished()) {
     reports.push_back(PrepareReport(request.worker(), finished));
   }
   return reports;
 }
 
-ResultIntake::Report ResultIntake::PrepareReport(const std::string& worker, const v1::FinishedTask& finished) {
+ResultIntake::Report ResultIntake::PrepareReport(const std::string& worker, v1::FinishedTask& finished) {
   Report report{finished.ref(), static_cast<Stage>(finished.stage()), {}, std::nullopt};
   const TaskKey key = KeyOf(finished.ref());
   const uint64_t token = finished.ref().attempt_token();
@@ -69,7 +69,7 @@ ResultIntake::Report ResultIntake::PrepareReport(const std::string& worker, cons
     if (cluster_.options.attempts_of && IsInline(finished.output())) {
       report.files = cluster_.options.attempts_of(report.stage, finished.output().content());
     }
-    if (lease) PrepareOutput(worker, *lease, finished.output(), report);
+    if (lease) PrepareOutput(worker, *lease, *finished.mutable_output(), report);
     return report;
   }
   absl::Status error = Bounded(StatusFromProto(finished.error()));
@@ -90,8 +90,7 @@ std::optional<ResultIntake::Holding> ResultIntake::HoldingOf(const std::string& 
 }
 
 // Puts down in the report what is to become of an output.
-void ResultIntake::PrepareOutput(const std::string& worker, const Holding& lease, const v1::BlobRef& output,
-                                 Report& report) {
+void ResultIntake::PrepareOutput(const std::string& worker, const Holding& lease, v1::BlobRef& output, Report& report) {
   const TaskKey key = KeyOf(report.ref);
   const uint64_t token = report.ref.attempt_token();
   if (const absl::Status status = Bounded(CheckOutput(lease, output)); absl::IsDataLoss(status)) {
@@ -109,7 +108,7 @@ void ResultIntake::PrepareOutput(const std::string& worker, const Holding& lease
 
 // The content of an output goes to the job from memory, unless its queue is full, and into a file if it is too large
 // for the journal.
-absl::Status ResultIntake::KeepOutput(const Holding& lease, const v1::BlobRef& output, Report& report) const {
+absl::Status ResultIntake::KeepOutput(const Holding& lease, v1::BlobRef& output, Report& report) const {
   if (!IsInline(output)) return absl::OkStatus();
   const bool is_large = cluster_.journal->is_durable() && output.content().size() > kMostJournalledBytes;
   if (lease.queue_full || is_large) {
@@ -118,7 +117,7 @@ absl::Status ResultIntake::KeepOutput(const Holding& lease, const v1::BlobRef& o
     if (is_large && !put.ok()) return IsMachineError(put) ? put : absl::UnavailableError(put.message());
     if (lease.queue_full && put.ok()) return absl::OkStatus();
   }
-  report.content = output.content();
+  report.content = std::move(*output.mutable_content());
   return absl::OkStatus();
 }
 

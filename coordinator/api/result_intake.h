@@ -37,8 +37,8 @@ class ResultIntake {
   // Both must outlive this.
   ResultIntake(Cluster& cluster, StateUpdates& updates) : cluster_(cluster), updates_(updates) {}
 
-  // Checks the results that a call brings. Without the lock: it reads files.
-  std::vector<Report> Prepare(const v1::SyncRequest& request);
+  // Checks the results that a call brings, and takes their content from it. Without the lock: it reads files.
+  std::vector<Report> Prepare(v1::SyncRequest& request);
   // Takes what was prepared, and acknowledges it in `response`. Needs the lock.
   std::vector<Discarded> Take(const std::string& worker, std::vector<Report> reports, v1::SyncResponse& response);
   // Deletes them. Without the lock: large files take long.
@@ -53,10 +53,10 @@ class ResultIntake {
     std::shared_ptr<BlobFolder> blobs;
     bool queue_full = false;
   };
-  Report PrepareReport(const std::string& worker, const v1::FinishedTask& finished);
+  Report PrepareReport(const std::string& worker, v1::FinishedTask& finished);
   std::optional<Holding> HoldingOf(const std::string& worker, const v1::TaskRef& ref);  // takes the lock
-  void PrepareOutput(const std::string& worker, const Holding& lease, const v1::BlobRef& output, Report& report);
-  absl::Status KeepOutput(const Holding& lease, const v1::BlobRef& output, Report& report) const;
+  void PrepareOutput(const std::string& worker, const Holding& lease, v1::BlobRef& output, Report& report);
+  absl::Status KeepOutput(const Holding& lease, v1::BlobRef& output, Report& report) const;
   absl::Status CheckOutput(const Holding& lease, const v1::BlobRef& output) const;
   bool TakeReport(const std::string& worker, Report& report);
 

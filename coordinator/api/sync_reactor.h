@@ -30,14 +30,14 @@ class SyncReactor : public grpc::ServerUnaryReactor {
               v1::SyncResponse& response)
       : entrance_(entrance), work_(work), context_(context), response_(response) {}
 
-  // Nobody reads `request` afterwards.
-  void Begin(const Peer& peer, const v1::SyncRequest& request) {
+  // Takes what is in `request`, which may have 1 MB: gRPC keeps it until the call has ended, and reads it no more.
+  void Begin(const Peer& peer, v1::SyncRequest& request) {
     worker_ = request.worker();
     const auto caller = entrance_.Begin(peer, kRpc);
     if (!caller.ok()) return Answer(caller.status());
     const auto alive = [gone = gone_] { return !*gone; };
     const auto answer = [this](absl::StatusOr<v1::SyncResponse> response) { Answer(std::move(response)); };
-    sync_ = std::make_shared<WorkerSync>(WorkerSync{request, caller->name, alive, answer});
+    sync_ = std::make_shared<WorkerSync>(WorkerSync{std::move(request), caller->name, alive, answer});
     work_.Sync(sync_);
   }
 

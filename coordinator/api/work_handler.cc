@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -30,6 +31,9 @@ constexpr size_t kMostNameBytes = 256;
 
 // Each takes some 20 kB, and what it says.
 constexpr size_t kMostSyncs = 4096;
+
+// Results that wait until they are checked. Beyond that they stay with their worker, which reports them again.
+constexpr int64_t kMostUncheckedBytes = int64_t{64} << 20;
 
 // All that is told at once waits for the disk once, so that two threads answer.
 constexpr size_t kAnswering = 2;
@@ -67,6 +71,19 @@ absl::Status CheckSync(const v1::SyncRequest& request) {
         absl::StrCat("a worker needs an id, 0 to ", kMaxThreads, " threads and as many tasks beyond them"));
   }
   return absl::OkStatus();
+}
+
+int64_t ResultBytesOf(const v1::SyncRequest& request) {
+  int64_t bytes = 0;
+  for (const v1::FinishedTask& finished : request.finished()) bytes += std::ssize(finished.output().content());
+  return bytes;
+}
+
+absl::Status TooManyResults() {
+  return WithErrorInfo(
+      absl::ResourceExhaustedError(absl::StrCat("results of ", kMostUncheckedBytes >> 20,
+                                                " MiB wait to be checked, which is the limit; try again in a second")),
+      {"TOO_MANY_CALLS", {{"limit", absl::StrCat(kMostUncheckedBytes)}, {"retry_after_s", "1"}}});
 }
 
 using InputFolders = std::map<std::string, std::shared_ptr<BlobFolder>>;  // by job
@@ -121,11 +138,21 @@ void WorkHandler::Sync(std::shared_ptr<WorkerSync> sync) {
   }
   if (!refused.ok()) return sync->answer(refused);
   if (request.finished().empty() && request.seen().empty()) return Enter(sync, {});
-  if (!request.finished().empty()) {
-    const ClusterLock lock(cluster_.mutex);
-    reports_.CountChecks(*sync, 1);
-  }
+  if (!request.finished().empty() && !HasRoomFor(*sync)) return sync->answer(TooManyResults());
   checks_.Add(std::move(sync));
+}
+
+bool WorkHandler::HasRoomFor(const WorkerSync& sync) {
+  const int64_t bytes = ResultBytesOf(sync.request);
+  const ClusterLock lock(cluster_.mutex);
+  reports_.CountChecks(sync, 1);
+  const bool fits = unchecked_bytes_ == 0 || unchecked_bytes_ + bytes <= kMostUncheckedBytes;
+  if (fits) {
+    unchecked_bytes_ += bytes;
+  } else {
+    reports_.CountChecks(sync, -1);  // it has been heard all the same
+  }
+  return fits;
 }
 
 void WorkHandler::Gone(const std::string& worker) {
@@ -144,11 +171,13 @@ absl::Status WorkHandler::Refusal(const v1::SyncRequest& request) {
 void WorkHandler::Check(const std::shared_ptr<WorkerSync>& sync) {
   if (sync->request.finished().empty()) return Enter(sync, {});
   // Whoever has waited too long in the queue reports them again.
+  const int64_t bytes = ResultBytesOf(sync->request);
   std::vector<ResultIntake::Report> reports;
   if (sync->alive()) reports = reports_.Check(sync->request);
   {
     const ClusterLock lock(cluster_.mutex);
     reports_.CountChecks(*sync, -1);
+    unchecked_bytes_ -= bytes;
   }
   Enter(sync, std::move(reports));
 }

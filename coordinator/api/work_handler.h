@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COORDINATOR_API_WORK_HANDLER_H_
 #define TILEMEND_COORDINATOR_API_WORK_HANDLER_H_
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -44,6 +45,8 @@ class WorkHandler {
   };
 
   absl::Status Refusal(const v1::SyncRequest& request);
+  // Whether the results of the call may wait to be checked. If so they count until they are.
+  bool HasRoomFor(const WorkerSync& sync);
   void Check(const std::shared_ptr<WorkerSync>& sync);
   // What the call says takes effect; then it waits.
   void Enter(const std::shared_ptr<WorkerSync>& sync, std::vector<ResultIntake::Report> reports);
@@ -57,6 +60,7 @@ class WorkHandler {
   LongCalls calls_;
   Crew<Answer> answers_;
   WaitingSyncs waiting_;
+  int64_t unchecked_bytes_ = 0;  // of results. Guarded by the lock.
   Crew<std::shared_ptr<WorkerSync>> checks_;
 };
 

@@ -33,9 +33,7 @@ void WorkerReports::CountChecks(const WorkerSync& sync, int change) {
   RenewHeld(sync.request);
 }
 
-std::vector<ResultIntake::Report> WorkerReports::Check(const v1::SyncRequest& request) {
-  return results_.Prepare(request);
-}
+std::vector<ResultIntake::Report> WorkerReports::Check(v1::SyncRequest& request) { return results_.Prepare(request); }
 
 absl::Status WorkerReports::TakeOver(const v1::SyncRequest& request, const std::string& identity) {
   const WorkerCaller caller{0, request.secret(), request.release(), identity, cluster_.options.clock()};

@@ -23,8 +23,9 @@ class WorkerReports {
 
   // The worker has so many more calls whose results are checked; until those are none, it does not count as silent.
   void CountChecks(const WorkerSync& sync, int change);
-  // Whether results can be what was asked for. Without the lock; reads files and computes.
-  std::vector<ResultIntake::Report> Check(const v1::SyncRequest& request);
+  // Whether results can be what was asked for. Their content goes from the call into the reports. Without the lock;
+  // reads files and computes.
+  std::vector<ResultIntake::Report> Check(v1::SyncRequest& request);
   // The call is the newest of its worker from now on. kPermissionDenied if another process has called itself so.
   absl::Status TakeOver(const v1::SyncRequest& request, const std::string& identity);
   // What the call says takes effect. Gives the lock up in between, to delete and to look at files.

@@ -3,7 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <future>
+#include <iterator>
+#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "common/rpc/limits.h"
 #include "common/util/error_info.h"
@@ -77,6 +82,66 @@ TEST(WorkLogTest, NamesAWorkerOfAnotherBuild) {
   EXPECT_TRUE(cluster.coordinator().calls().cluster.ListWorkers({})->workers().empty());
   request.set_build("aaaa");
   EXPECT_TRUE(SyncAndWait(cluster.coordinator().calls().work, request, alive).ok());
+}
+
+// Results of 1 MiB whose check waits until the test lets it go on.
+class SlowCheckTest : public CoordinatorTest {
+ protected:
+  using Answer = std::future<absl::StatusOr<v1::SyncResponse>>;
+
+  SlowCheckTest() : SlowCheckTest(std::make_shared<std::promise<void>>()) {}
+
+  v1::SyncRequest Report(const v1::Task& task) {
+    v1::SyncRequest request = NewSync("w", 80);
+    Finish(task, request);
+    v1::BlobRef& output = *request.mutable_finished(0)->mutable_output();
+    output.set_content("5 " + std::string((1 << 20) - 2, ' '));
+    output.set_size(std::ssize(output.content()));
+    return request;
+  }
+  Answer Begin(const v1::SyncRequest& request) {
+    const auto told = std::make_shared<std::promise<absl::StatusOr<v1::SyncResponse>>>();
+    const auto answer = [told](absl::StatusOr<v1::SyncResponse> response) { told->set_value(std::move(response)); };
+    calls_.work.Sync(std::make_shared<WorkerSync>(WorkerSync{request, "", [] { return true; }, answer}));
+    return told->get_future();
+  }
+
+  const std::shared_ptr<std::promise<void>> release_;
+
+ private:
+  explicit SlowCheckTest(const std::shared_ptr<std::promise<void>>& release)
+      : CoordinatorTest([&] {
+          ClusterOptions options = Options();
+          const std::shared_future<void> released = release->get_future();
+          options.check_result = [released](Stage, const std::string&, const std::string&) {
+            released.wait();
+            return absl::OkStatus();
+          };
+          return options;
+        }()),
+        release_(release) {}
+};
+
+TEST_F(SlowCheckTest, ResultsBeyondTheBudgetStayWithTheirWorkerUntilOthersAreChecked) {
+  v1::CreateJobRequest job = NewRequest();
+  job.mutable_spec()->set_scene("toy://10x8");
+  ASSERT_TRUE(calls_.jobs.CreateJob(job).ok());
+  std::vector<v1::Task> tasks;
+  for (int i = 0; i < 20 && tasks.size() < 65; ++i) {
+    const v1::SyncResponse response = Sync(NewSync("w", 80));
+    tasks.assign(response.start().begin(), response.start().end());
+  }
+  ASSERT_GE(tasks.size(), 65U);
+  std::vector<Answer> answers;
+  for (size_t i = 0; i < 64; ++i) answers.push_back(Begin(Report(tasks[i])));
+  const absl::Status refused = Begin(Report(tasks[64])).get().status();
+  EXPECT_TRUE(absl::IsResourceExhausted(refused)) << refused;
+  EXPECT_EQ(ErrorReason(refused), "TOO_MANY_CALLS");
+  release_->set_value();
+  for (Answer& answer : answers) EXPECT_NE(answer.get().status().code(), absl::StatusCode::kResourceExhausted);
+  const auto taken = Begin(Report(tasks[64])).get();
+  ASSERT_TRUE(taken.ok()) << taken.status();
+  EXPECT_EQ(taken->acknowledged_size(), 1);
 }
 
 TEST_F(WorkHandlerTest, RefusesNamesWithoutEnd) {
