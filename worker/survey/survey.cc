@@ -1,6 +1,7 @@
 #include "worker/survey/survey.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -62,15 +63,36 @@ struct Weld {
   int64_t doubled = 0;
 };
 
+// Tells of most positions at once that they are not among those that were added.
+class PositionFilter {
+ public:
+  void Add(const Point3& p) { has_[PlaceOf(p)] = 1; }
+  bool MayHave(const Point3& p) const { return has_[PlaceOf(p)] != 0; }
+
+ private:
+  static constexpr int kBits = 17;  // a byte each: together they fit into a processor's own cache
+
+  static size_t PlaceOf(const Point3& p) {  // + 0.0 turns -0.0 into 0.0
+    const uint64_t x = std::bit_cast<uint64_t>(p.x() + 0.0), y = std::bit_cast<uint64_t>(p.y() + 0.0);
+    return (x * 0x9e3779b97f4a7c15ULL ^ y * 0xbf58476d1ce4e5b9ULL) >> (64 - kBits);
+  }
+
+  std::vector<uint8_t> has_ = std::vector<uint8_t>(size_t{1} << kBits, 0);
+};
+
 Weld WeldMarked(const auto& mesh, const std::vector<uint8_t>& marked) {
   Weld result;
   result.weld.assign(mesh.points.size(), kNone);
   PositionIndex index;
+  PositionFilter filter;
   for (size_t v = 0; v < marked.size(); ++v) {
-    if (marked[v]) index.Insert(mesh.points[v]);
+    if (!marked[v]) continue;
+    index.Insert(mesh.points[v]);
+    filter.Add(mesh.points[v]);
   }
   result.first.assign(index.size(), kNone);
   for (size_t v = 0; v < marked.size(); ++v) {
+    if (!filter.MayHave(mesh.points[v])) continue;
     const int32_t id = index.Find(mesh.points[v]);
     if (id == kNone) continue;
     result.weld[v] = id;
@@ -317,12 +339,15 @@ SurveyRecord SurveyAsItIs(const auto& mesh, bool float32, PieceAreas areas) {
   record.float32 = float32;
   record.vertex_count = static_cast<int64_t>(mesh.points.size());
   record.triangle_count = static_cast<int64_t>(mesh.triangles.size());
-  record.lo = Point3::Constant(std::numeric_limits<double>::infinity());
-  record.hi = -record.lo;
+  Point3 lo = Point3::Constant(std::numeric_limits<double>::infinity()), hi = -lo;
   for (const Point3& p : mesh.points) {
-    record.lo = record.lo.cwiseMin(p);
-    record.hi = record.hi.cwiseMax(p);
+    for (int k = 0; k < 3; ++k) {
+      lo[k] = std::min(lo[k], p[k]);
+      hi[k] = std::max(hi[k], p[k]);
+    }
   }
+  record.lo = lo;
+  record.hi = hi;
   const std::vector<uint8_t> marked = MarkUnbalancedVertices(mesh);
   const Weld weld = WeldMarked(mesh, marked);
   record.doubled_vertices = weld.doubled;
