@@ -23,23 +23,22 @@ void LowerOf(const int16_t* a, const int16_t* b, int32_t count, int16_t* __restr
   for (int32_t i = 0; i < count; ++i) lower[i] = std::min(a[i], b[i]);
 }
 
-// Rows with `radius` squares more on both sides, and their minima over 2^k squares from each square on.
+// Rows with `radius` squares more on both sides, and their minima over 2^k squares from each square on. Only the rows
+// that one row of disks needs are there at a time, so that they stay in a processor's cache.
 class RunMinima {
  public:
-  RunMinima(const StepRaster& raster, int32_t radius) : radius_(radius), width_(raster.cols + 2 * radius) {
+  RunMinima(const StepRaster& raster, int32_t radius)
+      : raster_(raster), radius_(radius), width_(raster.cols + 2 * radius) {
     const auto levels = static_cast<size_t>(std::bit_width(static_cast<uint32_t>(2 * radius + 1)));
-    const size_t size = static_cast<size_t>(width_) * raster.rows;
+    const size_t size = static_cast<size_t>(width_) * (2 * radius + 1);
     for (size_t k = 0; k < levels; ++k) rows_.push_back(std::make_unique_for_overwrite<int16_t[]>(size));
     std::fill_n(rows_[0].get(), size, kNoSurface);
-    for (int32_t r = 0; r < raster.rows; ++r) {
-      const auto* from = raster.heights.data() + static_cast<size_t>(r) * raster.cols;
-      std::copy(from, from + raster.cols, Row(0, r) + radius);
-      for (size_t k = 1; k < levels; ++k) {
-        const int32_t half = 1 << (k - 1);
-        LowerOf(Row(k - 1, r), Row(k - 1, r) + half, width_ - half, Row(k, r));
-        std::copy(Row(k - 1, r) + width_ - half, Row(k - 1, r) + width_, Row(k, r) + width_ - half);
-      }
-    }
+  }
+
+  // For calls of Lower with rows at most `radius` away. Rows are asked for from the lowest one on.
+  void MoveTo(int32_t row) {
+    next_ = std::max(next_, row - radius_);
+    for (; next_ <= std::min(row + radius_, raster_.rows - 1); ++next_) Prepare(next_);
   }
 
   struct Columns {
@@ -60,19 +59,34 @@ class RunMinima {
   }
 
  private:
-  const int16_t* Run(size_t k, int32_t r) const { return rows_[k].get() + static_cast<size_t>(r) * width_ + radius_; }
-  int16_t* Row(size_t level, int32_t r) { return rows_[level].get() + static_cast<size_t>(r) * width_; }
+  void Prepare(int32_t r) {
+    const auto* from = raster_.heights.data() + static_cast<size_t>(r) * raster_.cols;
+    std::copy(from, from + raster_.cols, Row(0, r) + radius_);
+    for (size_t k = 1; k < rows_.size(); ++k) {
+      const int32_t half = 1 << (k - 1);
+      LowerOf(Row(k - 1, r), Row(k - 1, r) + half, width_ - half, Row(k, r));
+      std::copy(Row(k - 1, r) + width_ - half, Row(k - 1, r) + width_, Row(k, r) + width_ - half);
+    }
+  }
 
+  const int16_t* Run(size_t k, int32_t r) const { return Row(k, r) + radius_; }
+  int16_t* Row(size_t level, int32_t r) const {
+    return rows_[level].get() + static_cast<size_t>(r % (2 * radius_ + 1)) * width_;
+  }
+
+  const StepRaster& raster_;
   const int32_t radius_, width_;
   std::vector<std::unique_ptr<int16_t[]>> rows_;
+  int32_t next_ = 0;  // the first row that is not there yet
 };
 
 // The lowest over each disk, of the squares that are asked for.
 StepRaster ErodedByDisk(const StepRaster& raster, int32_t radius, const SquareBlocks& asked) {
-  const RunMinima minima(raster, radius);
+  RunMinima minima(raster, radius);
   const std::vector<int32_t> half_widths = HalfWidths(radius);
   StepRaster lowest{raster.cols, raster.rows, std::vector<int16_t>(raster.heights.size(), kNoSurface)};
   asked.ForRuns([&](int32_t r, int32_t first, int32_t end) {
+    minima.MoveTo(r);
     int16_t* values = lowest.heights.data() + static_cast<size_t>(r) * raster.cols + first;
     for (int32_t dy = 0; dy <= radius; ++dy) {
       const bool has_above = r + dy < raster.rows, has_below = r - dy >= 0;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "worker/ground/disk_opening.h"
+#include "worker/ground/object_squares.h"
 
 namespace tilemend {
 namespace {
@@ -84,20 +85,13 @@ FilteredGround::FilteredGround(GroundRaster lowest, const GroundFilterOptions& o
   const Steps steps(ground_.heights);
   StepRaster surface = InSteps(ground_, steps);
   DropPits(options.outlier_slope * ground_.square / steps.step, surface);
-  StepRaster before = surface;
+  std::vector<OpeningStep> openings;
   for (const int32_t radius : Radii(options.window, ground_.square)) {
-    StepRaster opened = OpenedByDisk(surface, radius, seen);
-    const double most = options.slope * radius * ground_.square / steps.step;
-    seen.ForRuns([&](int32_t row, int32_t first, int32_t end) {
-      const size_t begin = static_cast<size_t>(row) * opened.cols;
-      for (size_t i = begin + first; i < begin + end; ++i) {
-        if (before.heights[i] - opened.heights[i] > most) ground_.heights[i] = kNone;
-      }
-    });
-    before = std::move(opened);
+    openings.push_back({radius, options.slope * radius * ground_.square / steps.step});
   }
+  const std::vector<uint8_t> is_object = ObjectSquares(surface, seen, openings);
   for (size_t i = 0; i < surface.heights.size(); ++i) {
-    if (surface.heights[i] == kNoSurface) ground_.heights[i] = kNone;
+    if (surface.heights[i] == kNoSurface || is_object[i] != 0) ground_.heights[i] = kNone;
   }
 }
 

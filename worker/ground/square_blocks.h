@@ -19,7 +19,15 @@ class SquareBlocks {
   static SquareBlocks All(int32_t cols, int32_t rows);
 
   // Precondition: a square of the raster.
-  void Add(int32_t col, int32_t row) { has_[IndexOf(col / kSide, row / kSide)] = 1; }
+  void Add(int32_t col, int32_t row) { AddBlock(IndexOf(col / kSide, row / kSide)); }
+
+  bool empty() const { return std::find(has_.begin(), has_.end(), 1) == has_.end(); }
+
+  // Blocks are numbered row by row.
+  int32_t block_cols() const { return block_cols_; }
+  int32_t block_rows() const { return block_rows_; }
+  bool HasBlock(size_t block) const { return has_[block] != 0; }
+  void AddBlock(size_t block) { has_[block] = 1; }
 
   // All that is at most so many squares away along each axis, and maybe up to a block more. O(blocks).
   SquareBlocks GrownBy(int32_t squares) const;
