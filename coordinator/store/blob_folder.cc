@@ -185,7 +185,11 @@ absl::Status BlobFolder::MoveIntoPlace(const std::string& temporary, const std::
   if (sync == Sync::kNo) return absl::OkStatus();
   FailPoint("blob.renamed");
   TILEMEND_RETURN_IF_ERROR(SyncFolder(parent));
-  return SyncFolder(path_);  // in which another blob may have made `parent`
+  const uint32_t bit = uint32_t{1} << (digest[0] <= '9' ? digest[0] - '0' : digest[0] - 'a' + 10);
+  if ((synced_parents_.load() & bit) != 0) return absl::OkStatus();
+  TILEMEND_RETURN_IF_ERROR(SyncFolder(path_));  // in which another blob may have made `parent`
+  synced_parents_.fetch_or(bit);
+  return absl::OkStatus();
 }
 
 absl::StatusOr<int64_t> BlobFolder::Size(const std::string& digest) const {

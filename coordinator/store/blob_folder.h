@@ -103,6 +103,7 @@ class BlobFolder {
 
   std::string path_;
   std::atomic<bool> removed_{false};
+  std::atomic<uint32_t> synced_parents_{0};  // a bit for each digit whose folder is durable in path_
   mutable std::mutex mutex_;
   std::map<std::string, HeldBlob> held_;  // with the lock
 };
