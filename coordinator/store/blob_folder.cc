@@ -33,6 +33,11 @@ absl::Status BlobNotFound(const std::string& digest) {
                        {"BLOB_NOT_FOUND", {{"digest", digest}}});
 }
 
+absl::StatusOr<std::string> PathOf(const std::string& folder, const std::string& digest) {
+  if (!IsDigest(digest)) return absl::InvalidArgumentError("a digest has 64 lower-case hexadecimal digits");
+  return absl::StrCat(folder, "/", digest.substr(0, kParentDigits), "/", digest.substr(kParentDigits));
+}
+
 // In all folders.
 std::atomic<size_t>& HeldInAll() {
   static std::atomic<size_t> bytes{0};
@@ -168,13 +173,8 @@ absl::StatusOr<std::unique_ptr<BlobFolder::Writer>> BlobFolder::NewWriter(Sync s
   return std::unique_ptr<Writer>(new Writer(*this, sync, std::move(path), fd));
 }
 
-absl::StatusOr<std::string> BlobFolder::PathOf(const std::string& digest) const {
-  if (!IsDigest(digest)) return absl::InvalidArgumentError("a digest has 64 lower-case hexadecimal digits");
-  return absl::StrCat(path_, "/", digest.substr(0, kParentDigits), "/", digest.substr(kParentDigits));
-}
-
 absl::Status BlobFolder::MoveIntoPlace(const std::string& temporary, const std::string& digest, Sync sync) {
-  TILEMEND_ASSIGN_OR_RETURN(const std::string path, PathOf(digest));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string path, PathOf(path_, digest));
   const std::string parent = absl::StrCat(path_, "/", digest.substr(0, kParentDigits));
   if (::rename(temporary.c_str(), path.c_str()) != 0) {
     // Not create_directories: it would bring a removed folder back.
@@ -194,7 +194,7 @@ absl::Status BlobFolder::MoveIntoPlace(const std::string& temporary, const std::
 
 absl::StatusOr<int64_t> BlobFolder::Size(const std::string& digest) const {
   if (const auto held = HeldBytes(digest)) return static_cast<int64_t>(held->size());
-  TILEMEND_ASSIGN_OR_RETURN(const std::string path, PathOf(digest));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string path, PathOf(path_, digest));
   struct stat info {};
   if (::stat(path.c_str(), &info) != 0) return BlobNotFound(digest);
   return static_cast<int64_t>(info.st_size);
@@ -222,7 +222,7 @@ absl::Status BlobFolder::ReadChunks(const std::string& digest,
     }
     return absl::OkStatus();
   }
-  TILEMEND_ASSIGN_OR_RETURN(const std::string path, PathOf(digest));
+  TILEMEND_ASSIGN_OR_RETURN(const std::string path, PathOf(path_, digest));
   TILEMEND_ASSIGN_OR_RETURN(const int64_t size, Size(digest));
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (fd < 0) return errno == ENOENT ? BlobNotFound(digest) : ErrnoStatus(errno, "cannot open", path);
@@ -251,7 +251,7 @@ absl::Status BlobFolder::KeepOnly(const std::set<std::string>& digests) {
 bool BlobFolder::LinkInto(const BlobFolder& other, const std::set<std::string>& digests) const {
   std::set<std::string> parents = {other.path_};
   for (const std::string& digest : digests) {
-    const auto from = PathOf(digest), to = other.PathOf(digest);
+    const auto from = PathOf(path_, digest), to = PathOf(other.path_, digest);
     if (!from.ok() || !Size(digest).ok()) continue;  // lost, and so made again
     const std::string parent = std::filesystem::path(*to).parent_path().string();
     if (parents.insert(parent).second && ::mkdir(parent.c_str(), 0700) != 0) return false;

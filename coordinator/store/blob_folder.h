@@ -95,7 +95,6 @@ class BlobFolder {
   // Null if it is not in memory.
   std::shared_ptr<const std::string> HeldBytes(const std::string& digest) const;
   void LetGoOfAll();
-  absl::StatusOr<std::string> PathOf(const std::string& digest) const;
   // Hard links in another such folder, synced. False if one cannot be made.
   bool LinkInto(const BlobFolder& other, const std::set<std::string>& digests) const;
   absl::Status RemoveOthers(const std::set<std::string>& digests);
