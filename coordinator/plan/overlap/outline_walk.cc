@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "common/mesh/vertex_lists.h"
 #include "coordinator/plan/overlap/piece_ends.h"
 #include "coordinator/plan/types/meet_tolerance.h"
 
@@ -18,6 +19,8 @@ namespace {
 
 constexpr double kApart = 2e-2;  // metres: so far beyond another one a way comes to the outline
 constexpr double kOverlaps = 8;  // the surface of a piece ends at most so many reaches before that of the next begins
+
+constexpr double kOutlineWeight = 0.5;  // of a metre along the outline of a piece, against one across
 
 // A vertex where a chain off the outline ends or begins, seen along the walk.
 struct Event {
@@ -41,6 +44,68 @@ double LengthCovered(const std::vector<Stretch>& stretches) {
   for (const Stretch& s : stretches) covered += s.layers > 0 ? s.end - s.begin : 0;
   return covered;
 }
+
+// A vertex on the outline of a piece, and how it is reached.
+struct OutlineStep {
+  int32_t vertex = 0, edge = -1;  // the edge comes there; -1: it is the first vertex
+  double way = 0;                 // metres from the first vertex
+};
+
+// Edges on outlines of pieces.
+class OutlineWays {
+ public:
+  OutlineWays(const SurveyRecord& record, const std::vector<bool>& taken)
+      : record_(record),
+        leaving_(EdgesBy(taken, [](const BoundaryEdge& e) { return e.from; })),
+        arriving_(EdgesBy(taken, [](const BoundaryEdge& e) { return e.to; })) {}
+
+  // Where outlines run along the way between two chains, it goes along them: as short as can be, if their edges count
+  // less than what lies between them.
+  void Follow(OutlineGap& gap) const {
+    double least = (At(gap.to) - At(gap.from)).norm();
+    const std::vector<OutlineStep> after = From(gap.to, false, least), before = From(gap.from, true, least);
+    std::pair<size_t, size_t> best{0, 0};
+    for (size_t i = 0; i < after.size(); ++i) {
+      for (size_t k = 0; k < before.size(); ++k) {
+        const double across = (At(after[i].vertex) - At(before[k].vertex)).norm();
+        const double length = kOutlineWeight * (after[i].way + before[k].way) + across;
+        if (length >= least) continue;
+        least = length;
+        best = {i, k};
+      }
+    }
+    for (size_t i = 1; i <= best.first; ++i) gap.along.push_back(after[i].edge);
+    for (size_t k = 1; k <= best.second; ++k) gap.along.push_back(before[k].edge);
+    gap.link = {before[best.second].vertex, after[best.first].vertex};
+  }
+
+ private:
+  const Point3& At(int32_t v) const { return record_.vertices[v].position; }
+
+  // From a vertex along the edges or against them, until they divide or the way counts as much as `longest`.
+  std::vector<OutlineStep> From(int32_t v, bool backward, double longest) const {
+    std::vector<OutlineStep> steps = {{v}};
+    while (kOutlineWeight * steps.back().way < longest && std::ssize(steps) <= std::ssize(record_.edges)) {
+      const auto on = (backward ? arriving_ : leaving_).Of(steps.back().vertex);
+      if (on.size() != 1) break;
+      const auto& [from, to, piece] = record_.edges[on[0]];
+      steps.push_back({backward ? from : to, on[0], steps.back().way + (At(to) - At(from)).norm()});
+    }
+    return steps;
+  }
+
+  template <typename EndOf>
+  VertexLists EdgesBy(const std::vector<bool>& taken, const EndOf& end_of) const {
+    return {record_.vertices.size(), [&](const auto& use) {
+              for (int32_t e = 0; e < std::ssize(record_.edges); ++e) {
+                if (!taken[e]) use(end_of(record_.edges[e]), e);
+              }
+            }};
+  }
+
+  const SurveyRecord& record_;
+  const VertexLists leaving_, arriving_;
+};
 
 class Walker {
  public:
@@ -118,9 +183,12 @@ class Walker {
     std::vector<PieceEnd> ends;
     for (const Event& event : piece_ends_) ends.push_back({event.vertex, event.ends});
     const PieceMatches matches = MatchPieceEnds(boundary, ends, piece_reach_);
+    const OutlineWays ways(record_, taken_);
     for (const auto& [begin, end] : matches.pairs) {
       const Event &from = piece_ends_[begin], &to = piece_ends_[end];
-      walk_.gaps.push_back({from.vertex, to.vertex, 0, 0, false, from.across, to.across});
+      OutlineGap gap{from.vertex, to.vertex, 0, 0, false, from.across, to.across};
+      ways.Follow(gap);
+      walk_.gaps.push_back(std::move(gap));
     }
     for (const auto& [end, at] : matches.on_outline) {
       Event& event = events_.emplace_back(piece_ends_[end]);

@@ -39,6 +39,10 @@ struct OutlineGap {
   bool open = true;           // nothing covers it; else it lies under other surface of the tile
   // The axes across the outlines, of the tile or of a piece, that its ends are on. Empty: level ones, or none.
   std::optional<int> from_across = {}, to_across = {};
+  // Between pieces: edges of their outlines that lead from `to` to the end of the link, and from its beginning to
+  // `from`. They bound the hole. The link is what is left of the way; none: it is all of the way.
+  std::vector<int32_t> along = {};
+  std::optional<std::pair<int32_t, int32_t>> link = {};
 };
 
 struct OutlineWalk {

@@ -283,7 +283,9 @@ class CellRegions {
   // From the end of one chain along the outline to the next, over new vertices beside those on the grid lines.
   void AddGap(const OutlineGap& gap, const PlannedHole& hole, const std::vector<LineVertex>& line,
               LinkParts& link_parts, std::vector<RimSegment>& region) {
-    const int32_t from = PlanVertexOf(gap.from), to = PlanVertexOf(gap.to);
+    for (const int32_t e : gap.along) AddEdge(record_.edges[e], hole, region);
+    const auto [own_from, own_to] = gap.link.value_or(std::pair(gap.from, gap.to));
+    const int32_t from = PlanVertexOf(own_from), to = PlanVertexOf(own_to);
     if (from == to) return;
     std::vector<int32_t> way = {from};
     if (gap.open && !line.empty()) {
@@ -299,7 +301,7 @@ class CellRegions {
       Follow(from, Nearest(gap.begin, line));
       Follow(to, Nearest(gap.end, line));
     }
-    if (way.size() == 1) AddLink(gap, hole, link_parts, way);
+    if (way.size() == 1) AddLink(gap, plan_.vertices[to], hole, link_parts, way);
     way.push_back(to);
     for (size_t i = 0; i + 1 < way.size(); ++i) region.push_back({way[i], way[i + 1], true});
   }
@@ -307,8 +309,10 @@ class CellRegions {
   // New vertices between ends of chains of two pieces, as far apart as those of the rim; at least one half-way, as the
   // surface may have an edge between the two. Between ends on outlines that cross the way goes along both. The edge of
   // the area has no heights: from there they follow the hole.
-  void AddLink(const OutlineGap& gap, const PlannedHole& hole, LinkParts& link_parts, std::vector<int32_t>& way) {
-    const PlanVertex from = plan_.vertices[PlanVertexOf(gap.from)], to = plan_.vertices[PlanVertexOf(gap.to)];
+  //   way  the first vertex
+  void AddLink(const OutlineGap& gap, const PlanVertex to, const PlannedHole& hole, LinkParts& link_parts,
+               std::vector<int32_t>& way) {
+    const PlanVertex from = plan_.vertices[way.back()];
     Point3 middle = (from.position + to.position) / 2;
     if (gap.from_across && gap.to_across && *gap.from_across != *gap.to_across) {
       middle[*gap.from_across] = from.position[*gap.from_across];

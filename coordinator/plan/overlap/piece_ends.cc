@@ -120,12 +120,18 @@ class Matcher {
         return at[*end][0];
       };
       const std::optional<size_t> begin = own(passages[k].begin), end = own(passages[k].end);
-      if (begin && end) Match(*begin, *end);
+      if (begin && end && AreBeside(*begin, *end)) Match(*begin, *end);
       if (!passages[k].at_outline) continue;
       for (const std::optional<size_t>& i : {begin, end}) {
         if (i) at_outline_[*i] = passages[k].at_outline;
       }
     }
+  }
+
+  // Seen from above, passages do not tell chains apart that end above each other on a facade.
+  bool AreBeside(size_t a, size_t b) const {
+    const Point3 way = At(a) - At(b);
+    return std::abs(way.z()) <= way.head<2>().norm() + reach_;
   }
 
   // Those left over, the nearest pairs first, unless the ways of both lead to the outline.

@@ -198,5 +198,43 @@ TEST(OutlineWalkTest, WaysOfOverlappingPiecesDoNotRunBesideEachOther) {
   EXPECT_GE(corner.end, corner.begin);
 }
 
+// Pieces that overlap from x = 3 to 3.2.
+class WaysAlongPiecesTest : public ::testing::Test {
+ protected:
+  // The edges that ways between chains go along, by their beginnings.
+  std::vector<Point2> Along() const {
+    std::vector<bool> taken;
+    for (const char kind : tile_.kinds) taken.push_back(kind != 'p');
+    std::vector<Point2> along;
+    for (const OutlineGap& gap : WalkOutline(tile_.record, taken, kSquare, 0.3).gaps) {
+      for (const int32_t e : gap.along) {
+        along.emplace_back(tile_.record.vertices[tile_.record.edges[e].from].position.head<2>());
+      }
+    }
+    return along;
+  }
+
+  PieceRings tile_;
+};
+
+TEST_F(WaysAlongPiecesTest, FollowTheOutlineBetweenTwoChainsOfOnePiece) {
+  tile_.Add({{0, 0}, {2, 0}, {2, 1}, {3, 1.5}, {3, 3}, {3, 4}, {2, 5}, {2, 6}, {0, 6}}, "occppccoo");
+  EXPECT_THAT(Along(), testing::UnorderedElementsAre(Point2(3, 1.5), Point2(3, 3)));
+}
+
+TEST_F(WaysAlongPiecesTest, GoAcrossWhereAnotherPieceIsNear) {
+  // The shore of the west ends at (3.2, 4), and its outline goes on to the north. The shore of the east begins at (3,
+  // 1); before that its outline comes down from (3, 3.9).
+  tile_.Add({{0, 4}, {3.2, 4}, {3.2, 5}, {3.2, 6}, {0, 6}}, "cppoo");
+  tile_.Add({{3, 1}, {6, 1}, {6, 6}, {3, 6}, {3, 3.9}, {3, 2}}, "cooppp");
+  EXPECT_THAT(Along(), testing::UnorderedElementsAre(Point2(3, 3.9), Point2(3, 2)));
+}
+
+TEST_F(WaysAlongPiecesTest, AreStraightWhereOutlinesAreNoShorterWay) {
+  tile_.Add({{0, 4}, {3.2, 4}, {3.2, 5}, {3.2, 6}, {0, 6}}, "cppoo");
+  tile_.Add({{3, 4}, {6, 4}, {6, 6}, {3, 6}, {3, 5}}, "coopp");
+  EXPECT_THAT(Along(), IsEmpty());
+}
+
 }  // namespace
 }  // namespace tilemend

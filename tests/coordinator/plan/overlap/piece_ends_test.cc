@@ -79,6 +79,17 @@ TEST(MatchPieceEndsTest, ChainsMayBeFarFromEachOther) {
   EXPECT_THAT(matches.pairs, UnorderedElementsAre(Pair(0, 1), Pair(2, 3)));
 }
 
+TEST(MatchPieceEndsTest, ACrossingOfChainsAboveEachOtherSaysNothing) {
+  CrossingShores shores;
+  for (const auto& [x, y] : {std::pair(9.8, 4.1), std::pair(9.75, 4.1)}) {
+    shores.tile.record.vertices[shores.tile.At(x, y)].position.z() = x == 9.8 ? 6 : 0;
+  }
+  shores.tile.record.vertices[shores.tile.At(10.25, 4)].position.z() = 6;
+  shores.tile.record.vertices[shores.tile.At(10.2, 4)].position.z() = 0;
+  const PieceMatches matches = shores.Match({Crossing(shores.eastern, shores.western, {10, 4.04})});
+  EXPECT_THAT(matches.pairs, UnorderedElementsAre(Pair(0, 3), Pair(2, 1)));
+}
+
 TEST(MatchPieceEndsTest, SaysWhereTheWayComesToTheOutline) {
   const CrossingShores shores;
   const Point2 there(0, 7);
