@@ -14,7 +14,7 @@
 #include "common/mesh/triangle_shape.h"
 #include "common/mesh/vertex_lists.h"
 #include "worker/check/corner_cones.h"
-#include "worker/check/crossing_curves.h"
+#include "worker/fill/space/crossing_curves.h"
 #include "worker/fill/space/patch_crossings.h"
 
 namespace tilemend {

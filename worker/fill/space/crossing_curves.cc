@@ -1,8 +1,10 @@
-#include "worker/check/crossing_curves.h"
+#include "worker/fill/space/crossing_curves.h"
 
 #include <algorithm>
+#include <set>
 
 #include "common/mesh/disjoint_sets.h"
+#include "common/mesh/position_index.h"
 #include "common/mesh/vertex_lists.h"
 #include "worker/fill/space/patch_crossings.h"
 
@@ -76,6 +78,32 @@ class CurveTracer {
 std::vector<bool> ContinueCrossings(std::span<const Point3> points, std::span<const Triangle> triangles,
                                     const std::vector<bool>& is_added, std::span<const CrossingPair> pairs) {
   return CurveTracer(points, triangles, is_added, pairs).Run();
+}
+
+std::vector<int32_t> AvoidableCrossings(std::span<const SpaceTriangle> patch, std::span<const SpaceTriangle> surface) {
+  std::vector<CrossingPair> pairs;
+  const auto first = static_cast<int32_t>(patch.size());
+  for (const auto& [t, of_surface] : SurfaceCrossings(patch, surface)) pairs.push_back({t, first + of_surface});
+  for (const auto& [a, b] : SelfCrossings(patch)) pairs.push_back({a, b});
+  if (pairs.empty()) return {};
+  std::ranges::sort(pairs);
+  PositionIndex index;
+  std::vector<Triangle> triangles;
+  const auto add = [&](const SpaceTriangle& t) {
+    triangles.push_back({index.Insert(t[0]), index.Insert(t[1]), index.Insert(t[2])});
+  };
+  std::ranges::for_each(patch, add);
+  std::ranges::for_each(surface, add);
+  std::vector<bool> is_added(triangles.size(), false);
+  std::fill_n(is_added.begin(), patch.size(), true);
+  const std::vector<bool> of_input = ContinueCrossings(index.positions(), triangles, is_added, pairs);
+  std::set<int32_t> avoidable;
+  for (size_t i = 0; i < pairs.size(); ++i) {
+    if (of_input[i]) continue;
+    avoidable.insert(pairs[i].a);
+    if (pairs[i].b < first) avoidable.insert(pairs[i].b);
+  }
+  return {avoidable.begin(), avoidable.end()};
 }
 
 }  // namespace tilemend

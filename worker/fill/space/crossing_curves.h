@@ -1,6 +1,6 @@
 // The curves along which triangles cross.
-#ifndef TILEMEND_WORKER_CHECK_CROSSING_CURVES_H_
-#define TILEMEND_WORKER_CHECK_CROSSING_CURVES_H_
+#ifndef TILEMEND_WORKER_FILL_SPACE_CROSSING_CURVES_H_
+#define TILEMEND_WORKER_FILL_SPACE_CROSSING_CURVES_H_
 
 #include <compare>
 #include <cstdint>
@@ -27,6 +27,10 @@ struct CrossingPair {
 std::vector<bool> ContinueCrossings(std::span<const Point3> points, std::span<const Triangle> triangles,
                                     const std::vector<bool>& is_added, std::span<const CrossingPair> pairs);
 
+// The numbers of the triangles of a patch that cross one of the patch or of the surface where not every patch does
+// (ContinueCrossings), rising. Precondition: patch triangles have area. O(n log n) where few extents overlap.
+std::vector<int32_t> AvoidableCrossings(std::span<const SpaceTriangle> patch, std::span<const SpaceTriangle> surface);
+
 }  // namespace tilemend
 
-#endif  // TILEMEND_WORKER_CHECK_CROSSING_CURVES_H_
+#endif  // TILEMEND_WORKER_FILL_SPACE_CROSSING_CURVES_H_

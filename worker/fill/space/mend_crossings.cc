@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -35,9 +36,9 @@ struct Reach {
   int rings = 0;
   bool steep_only = false;
 };
-constexpr Reach kReaches[] = {{0, false}, {1, true}, {1, false}, {3, true}, {2, false}, {6, true}, {4, false}};
+constexpr Reach kMendReaches[] = {{0, false}, {1, true}, {1, false}, {3, true}, {2, false}, {6, true}, {4, false}};
 // A longer loop is not closed: its triangulation takes the cube of its length.
-constexpr size_t kLongestLoop = 60;
+constexpr size_t kLongestLoop = 150;
 // Of the mean edge of what is taken out: how far surface that faces up may move there along the vertical.
 constexpr double kMostOff = 0.25;
 
@@ -49,16 +50,40 @@ struct BridgedLoop {
 
 using Boundary = std::vector<BridgedLoop>;  // of a piece; each is closed by itself
 
+// How many of the triangles from `first` on, which were put in, cross something.
+//   there  what is there, these among it
+int64_t CountCrossed(int32_t first, const PatchEdit& edit, const CrossingIndex& there) {
+  std::vector<SpaceTriangle> placed;
+  for (int32_t t = first; t < edit.count(); ++t) {
+    if (!edit.IsGone(t)) placed.push_back(edit.Placed(t));
+  }
+  std::vector<SpaceTriangle> others;
+  std::ranges::copy_if(there.triangles(), std::back_inserter(others),
+                       [&](const SpaceTriangle& t) { return std::ranges::find(placed, t) == placed.end(); });
+  return std::ssize(CrossedTriangles(placed, others));
+}
+
 class CrossingMender {
  public:
   CrossingMender(const LocalHole& hole, LocalPatch patch, CrossingCheck& check)
       : hole_(hole), check_(check), patch_(std::move(patch)), surface_(check.Surface().begin(), check.Surface().end()) {
+    first_through_rim_ = static_cast<int32_t>(surface_.size());
+    surface_.insert(surface_.end(), check.ThroughRim().begin(), check.ThroughRim().end());
     surface_tree_ = TreeOver(surface_);
   }
 
   LocalPatch Run(std::vector<int32_t> crossed) {
     Try([&] { MovePoints(hole_, surface_, crossed, patch_); }, crossed);
-    for (const Reach& reach : kReaches) Try([&] { ReplaceAround(crossed, reach); }, crossed);
+    for (const Misfits misfits : {Misfits::kNone, Misfits::kFew}) {
+      for (const Reach& reach : kMendReaches) {
+        for (const bool through_rim : {false, true}) {
+          if (through_rim && check_.ThroughRim().empty()) continue;
+          misfits_ = misfits;
+          may_cross_through_rim_ = through_rim;
+          Try([&] { ReplaceAround(crossed, reach); }, crossed);
+        }
+      }
+    }
     DropUnusedPoints(hole_, patch_);
     patch_.crossings = static_cast<int32_t>(crossed.size());
     return std::move(patch_);
@@ -70,7 +95,7 @@ class CrossingMender {
     if (crossed.empty()) return;
     LocalPatch before = patch_;
     change();
-    std::vector<int32_t> now = check_.Crossed(patch_);
+    std::vector<int32_t> now = check_.CrossedAvoidably(patch_);
     if (FaultOf(hole_, patch_) == FillFailure::kNone && now.size() <= crossed.size()) {
       crossed = std::move(now);
     } else {
@@ -80,6 +105,8 @@ class CrossingMender {
 
   void ReplaceAround(const std::vector<int32_t>& crossed, const Reach& reach) {
     PatchEdit edit(hole_, patch_);
+    is_crossed_.assign(static_cast<size_t>(edit.count()), false);
+    for (const int32_t t : crossed) is_crossed_[t] = true;
     const std::vector<Piece> pieces = edit.PiecesOf(Around(edit, crossed, reach));
     for (const std::vector<Piece>& group : GroupsOf(pieces, edit)) {
       if (Replace(group, edit) || group.size() == 1) continue;
@@ -116,7 +143,7 @@ class CrossingMender {
         for (const int32_t v : edit.Corners(t)) is_near[v] = is_near[v] || taken[t];
       }
       for (int32_t t = 0; t < edit.count(); ++t) {
-        if (taken[t] || (reach.steep_only && edit.FacesUp(t))) continue;
+        if (taken[t] || edit.IsGone(t) || (reach.steep_only && edit.FacesUp(t))) continue;
         taken[t] = std::ranges::any_of(edit.Corners(t), [&](int32_t v) { return is_near[v]; });
       }
     }
@@ -147,7 +174,9 @@ class CrossingMender {
       for (const Triangle& t : triangles) edit.PutIn(t);
       return !triangles.empty();
     });
-    if (closes && IsManifold(first, edit) && KeepsHeights(piece, boundary, first, edit)) return true;
+    if (closes && (misfits_ == Misfits::kNone || CrossesLess(piece, first, edit)) && IsManifold(first, edit) &&
+        KeepsHeights(piece, boundary, first, edit))
+      return true;
     edit.TakeOutFrom(first);
     return false;
   }
@@ -240,9 +269,13 @@ class CrossingMender {
       const CrossingIndex taken = Within({box.min() - reach, box.max() + reach}, edit);
       const std::optional<ConeFill> cone =
           CloseByCone(places, outside, allowed, taken, [&](const Point3& p) { return FreePlaceAt(p, taken); });
-      if (!cone) return {};
-      triangles = cone->triangles;
-      vertices.push_back(edit.AddPoint(cone->tip));
+      if (!cone && misfits_ == Misfits::kNone) return {};
+      if (cone) {
+        triangles = cone->triangles;
+        vertices.push_back(edit.AddPoint(cone->tip));
+      } else {
+        triangles = TriangulateSoundly(places, outside, allowed, Within(box, edit), misfits_);
+      }
     }
     for (Triangle& t : triangles) t = {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
     return triangles;
@@ -252,7 +285,7 @@ class CrossingMender {
   CrossingIndex Within(const Eigen::AlignedBox3d& box, const PatchEdit& edit) const {
     std::vector<SpaceTriangle> there;
     surface_tree_.AnyMeeting(box, [&](int32_t t) {
-      there.push_back(surface_[t]);
+      if (!may_cross_through_rim_ || t < first_through_rim_) there.push_back(surface_[t]);
       return false;
     });
     edit.ForEachIn(box, [&](const SpaceTriangle& t) { there.push_back(t); });
@@ -267,6 +300,13 @@ class CrossingMender {
     const auto is_corner_of = [&](const SpaceTriangle& t) { return std::ranges::find(t, place) != t.end(); };
     constexpr double kNowhere = std::numeric_limits<double>::infinity();
     return std::ranges::any_of(taken.triangles(), is_corner_of) ? Point3::Constant(kNowhere) : place;
+  }
+
+  bool CrossesLess(const Piece& piece, int32_t first, const PatchEdit& edit) const {
+    Eigen::AlignedBox3d box;
+    for (int32_t t = first; t < edit.count(); ++t) box.extend(BoxOf(edit.Placed(t)));
+    const auto before = std::ranges::count_if(piece, [&](int32_t t) { return is_crossed_[t]; });
+    return CountCrossed(first, edit, Within(box, edit)) < before;
   }
 
   static bool IsManifold(int32_t first, const PatchEdit& edit) {
@@ -306,14 +346,20 @@ class CrossingMender {
   const LocalHole& hole_;
   CrossingCheck& check_;
   LocalPatch patch_;
-  const std::vector<SpaceTriangle> surface_;
+  std::vector<SpaceTriangle> surface_;  // what passes through the hole's boundary comes last
+  int32_t first_through_rim_ = 0;
   BoxTree surface_tree_;
+  // Of a round: whether a piece is closed with triangles that cross something where no others are found, and whether
+  // new triangles may cross what passes through the boundary; which triangles cross before.
+  Misfits misfits_ = Misfits::kNone;
+  bool may_cross_through_rim_ = false;
+  std::vector<bool> is_crossed_;
 };
 
 }  // namespace
 
 LocalPatch MendCrossings(const LocalHole& hole, LocalPatch patch, CrossingCheck& check) {
-  std::vector<int32_t> crossed = check.Crossed(patch);
+  std::vector<int32_t> crossed = check.CrossedAvoidably(patch);
   if (crossed.empty()) return patch;
   return CrossingMender(hole, std::move(patch), check).Run(std::move(crossed));
 }

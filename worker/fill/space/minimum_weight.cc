@@ -11,6 +11,9 @@ namespace {
 // Angles are compared in steps of this, so that area decides between triangulations that bend alike.
 constexpr double kAngleStep = 1.0 / 64;
 
+// Of a triangle that is taken though it does not fit: no angle is as large, and no area in m2.
+constexpr double kMisfitAngle = 4, kMisfitArea = 1e9;
+
 // Of a unit normal and another one; 0 where that is unknown.
 double Bend(const Eigen::Vector3d& normal, const Eigen::Vector4d& other) {
   return static_cast<int>((other.w() - normal.dot(other.head<3>())) / kAngleStep) * kAngleStep;
@@ -25,8 +28,13 @@ Eigen::Vector4d Marked(const Eigen::Vector3d& normal) {
 
 LoopTriangulation::LoopTriangulation(std::span<const Point3> loop, std::span<const Eigen::Vector3d> outside,
                                      const std::function<bool(int32_t, int32_t)>& allowed,
-                                     const std::function<bool(int32_t, int32_t, int32_t)>& fits)
-    : loop_(loop), outside_(outside), allowed_(allowed), fits_(fits), n_(static_cast<int32_t>(loop.size())) {
+                                     const std::function<bool(int32_t, int32_t, int32_t)>& fits, Misfits misfits)
+    : loop_(loop),
+      outside_(outside),
+      allowed_(allowed),
+      fits_(fits),
+      misfits_(misfits),
+      n_(static_cast<int32_t>(loop.size())) {
   const auto spans = static_cast<size_t>(n_) * static_cast<size_t>(n_);
   best_.resize(spans);
   best_by_end_.resize(spans);
@@ -73,7 +81,11 @@ LoopTriangulation::Choice LoopTriangulation::Choose(int32_t i, int32_t k) const 
   }
   std::sort(others.begin(), others.end());
   const auto fitting = std::ranges::find_if(others, [&](const Choice& other) { return fits_(i, other.vertex, k); });
-  return fitting == others.end() ? Choice() : *fitting;
+  if (fitting != others.end()) return *fitting;
+  if (misfits_ == Misfits::kNone) return {};
+  best.weight.angle = kMisfitAngle;
+  best.weight.area += kMisfitArea;
+  return best;
 }
 
 // Takes triangle i, j, k where that is better.

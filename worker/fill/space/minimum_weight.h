@@ -27,13 +27,19 @@ std::vector<Triangle> TriangulateLoop(std::span<const Point3> loop, std::span<co
                                       const std::function<bool(int32_t, int32_t)>& allowed,
                                       const std::function<bool(int32_t, int32_t, int32_t)>& fits = {});
 
+// Whether triangles that do not fit are taken where none fits.
+enum class Misfits {
+  kNone,
+  kFew,  // no more than are needed, or little more
+};
+
 // The same, to be done again with fewer triangles.
 class LoopTriangulation {
  public:
   // All must outlive it.
   LoopTriangulation(std::span<const Point3> loop, std::span<const Eigen::Vector3d> outside,
                     const std::function<bool(int32_t, int32_t)>& allowed,
-                    const std::function<bool(int32_t, int32_t, int32_t)>& fits);
+                    const std::function<bool(int32_t, int32_t, int32_t)>& fits, Misfits misfits = Misfits::kNone);
 
   // What TriangulateLoop gives. The first time O(n^3); then only spans are looked at whose triangulation depends on
   // what was forbidden.
@@ -71,6 +77,7 @@ class LoopTriangulation {
   std::span<const Eigen::Vector3d> outside_;
   const std::function<bool(int32_t, int32_t)>& allowed_;
   const std::function<bool(int32_t, int32_t, int32_t)>& fits_;
+  const Misfits misfits_;
   int32_t n_;
   // By span: its best triangulation, the vertex of the triangle that closes it, and the normal there. For one edge that
   // is the normal of the surface outside (x, y, z, 1; 0 if unknown). What is looked up for all spans to one end is kept

@@ -193,19 +193,24 @@ bool PatchCrosses(std::span<const SpaceTriangle> patch, std::span<const SpaceTri
 }
 
 std::vector<int32_t> CrossedTriangles(std::span<const SpaceTriangle> patch, std::span<const SpaceTriangle> surface) {
-  const BoxTree tree = TreeOf(patch);
   std::set<int32_t> crossed;
-  for (const SpaceTriangle& t : surface) {
-    tree.AnyMeeting(BoxOf(t), [&](int32_t k) {
-      if (HasArea(t) && TrianglesCross(patch[k], t)) crossed.insert(k);
+  for (const auto& [t, of_surface] : SurfaceCrossings(patch, surface)) crossed.insert(t);
+  for (const auto& [a, b] : SelfCrossings(patch)) crossed.insert({a, b});
+  return {crossed.begin(), crossed.end()};
+}
+
+std::vector<std::pair<int32_t, int32_t>> SurfaceCrossings(std::span<const SpaceTriangle> patch,
+                                                          std::span<const SpaceTriangle> surface) {
+  const BoxTree tree = TreeOf(patch);
+  std::vector<std::pair<int32_t, int32_t>> crossings;
+  for (int32_t s = 0; s < std::ssize(surface); ++s) {
+    tree.AnyMeeting(BoxOf(surface[s]), [&](int32_t t) {
+      if (HasArea(surface[s]) && TrianglesCross(patch[t], surface[s])) crossings.emplace_back(t, s);
       return false;
     });
   }
-  FindCrossing(patch, tree, [&](int32_t a, int32_t b) {
-    crossed.insert({a, b});
-    return false;
-  });
-  return {crossed.begin(), crossed.end()};
+  std::sort(crossings.begin(), crossings.end());
+  return crossings;
 }
 
 std::vector<std::pair<int32_t, int32_t>> SelfCrossings(std::span<const SpaceTriangle> patch) {

@@ -35,6 +35,10 @@ bool PatchCrosses(std::span<const SpaceTriangle> patch, std::span<const SpaceTri
 // above.
 std::vector<int32_t> CrossedTriangles(std::span<const SpaceTriangle> patch, std::span<const SpaceTriangle> surface);
 
+// The pairs of a triangle of the patch and one of the surface that cross, in order. Precondition and cost as above.
+std::vector<std::pair<int32_t, int32_t>> SurfaceCrossings(std::span<const SpaceTriangle> patch,
+                                                          std::span<const SpaceTriangle> surface);
+
 // The pairs of triangles of the patch that cross, the lower number first, in order. Precondition and cost as above.
 std::vector<std::pair<int32_t, int32_t>> SelfCrossings(std::span<const SpaceTriangle> patch);
 

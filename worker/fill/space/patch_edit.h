@@ -47,6 +47,7 @@ class PatchEdit {
   void TakeOutFrom(int32_t first);
   void PutBack(int32_t t);
 
+  bool IsGone(int32_t t) const { return is_gone_[t]; }
   bool FacesUp(int32_t t) const { return tilemend::FacesUp(placed_[t]); }
 
   // Whether a triangle has an edge with more than two, those of the surface counted.

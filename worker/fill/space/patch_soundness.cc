@@ -7,6 +7,7 @@
 #include "common/mesh/box_tree.h"
 #include "common/mesh/triangle_shape.h"
 #include "common/mesh/vertex_lists.h"
+#include "worker/fill/space/crossing_curves.h"
 #include "worker/fill/space/patch_crossings.h"
 
 namespace tilemend {
@@ -141,9 +142,26 @@ std::vector<int32_t> CrossingCheck::Crossed(const LocalPatch& patch) {
   Surroundings(box);
   if (!knows_crossed_) LeaveOutCrossed();
   std::vector<int32_t> crossed = CrossedTriangles(triangles, surroundings_);
+  AddTaken(patch, crossed);
+  return crossed;
+}
+
+std::vector<int32_t> CrossingCheck::CrossedAvoidably(const LocalPatch& patch) {
+  const auto [triangles, box] = Place(patch);
+  Surroundings(box);
+  if (!knows_crossed_) LeaveOutCrossed();
+  std::vector<SpaceTriangle> surface = surroundings_;
+  surface.insert(surface.end(), through_rim_.begin(), through_rim_.end());
+  std::vector<int32_t> crossed = AvoidableCrossings(triangles, surface);
+  AddTaken(patch, crossed);
+  return crossed;
+}
+
+// Triangles at new points that something else has as well.
+void CrossingCheck::AddTaken(const LocalPatch& patch, std::vector<int32_t>& crossed) const {
   const TakenPoints taken(patch, hole_.positions, surroundings_);
-  if (!taken.any()) return crossed;
-  for (size_t t = 0; t < triangles.size(); ++t) {
+  if (!taken.any()) return;
+  for (size_t t = 0; t < patch.triangles.size(); ++t) {
     const auto is_new_and_taken = [&](int32_t v) {
       return v >= hole_.size() && taken.Has(patch.new_points[v - hole_.size()]);
     };
@@ -151,7 +169,6 @@ std::vector<int32_t> CrossingCheck::Crossed(const LocalPatch& patch) {
   }
   std::ranges::sort(crossed);
   crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());
-  return crossed;
 }
 
 std::span<const SpaceTriangle> CrossingCheck::Surface() {
@@ -175,7 +192,10 @@ void CrossingCheck::LeaveOutCrossed() {
       return !has(from) && !has(to) && SegmentCrosses(from, to, t);
     });
   };
-  if (std::erase_if(surroundings_, passes_through_rim) > 0) rim_is_crossed_ = true;
+  const auto rest =
+      std::ranges::stable_partition(surroundings_, [&](const SpaceTriangle& t) { return !passes_through_rim(t); });
+  through_rim_.assign(rest.begin(), rest.end());
+  surroundings_.erase(rest.begin(), rest.end());
 }
 
 }  // namespace tilemend

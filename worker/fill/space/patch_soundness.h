@@ -39,18 +39,24 @@ class CrossingCheck {
   bool Crosses(const LocalPatch& patch);
   // The numbers of the triangles that cross, rising.
   std::vector<int32_t> Crossed(const LocalPatch& patch);
+  // The same, of crossings that not every patch has (AvoidableCrossings); surface that passes through the hole's
+  // boundary counts.
+  std::vector<int32_t> CrossedAvoidably(const LocalPatch& patch);
   // Neither a fault nor a crossing.
   bool IsSound(const LocalPatch& patch) { return FaultOf(hole_, patch) == FillFailure::kNone && !Crosses(patch); }
   // The surface within reach, without what passes through the boundary.
   std::span<const SpaceTriangle> Surface();
+  // Surface that passes through the boundary, where it was found to be crossed.
+  std::span<const SpaceTriangle> ThroughRim() const { return through_rim_; }
   // Whether any surface was found to pass through the boundary.
-  bool rim_is_crossed() const { return rim_is_crossed_; }
+  bool rim_is_crossed() const { return !through_rim_.empty(); }
 
  private:
   // The patch in space; it and all within reach.
   std::pair<std::vector<SpaceTriangle>, Eigen::AlignedBox3d> Place(const LocalPatch& patch) const;
   const std::vector<SpaceTriangle>& Surroundings(const Eigen::AlignedBox3d& box);
   void LeaveOutCrossed();
+  void AddTaken(const LocalPatch& patch, std::vector<int32_t>& crossed) const;
 
   const LocalHole& hole_;
   const Eigen::AlignedBox3d reach_;
@@ -58,7 +64,8 @@ class CrossingCheck {
   const EarlierPatches* const earlier_;
   Eigen::AlignedBox3d looked_at_;
   std::vector<SpaceTriangle> surroundings_;  // within looked_at_, without those that pass through the rim once known
-  bool knows_crossed_ = false, rim_is_crossed_ = false;
+  std::vector<SpaceTriangle> through_rim_;   // those
+  bool knows_crossed_ = false;
 };
 
 }  // namespace tilemend

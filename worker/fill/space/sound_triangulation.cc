@@ -10,7 +10,6 @@
 #include "common/mesh/position_index.h"
 #include "common/mesh/triangle_shape.h"
 #include "worker/fill/space/clip_ears.h"
-#include "worker/fill/space/minimum_weight.h"
 #include "worker/fill/space/patch_crossings.h"
 
 namespace tilemend {
@@ -32,11 +31,11 @@ class SoundTriangulator {
   }
 
   std::vector<Triangle> Run(std::span<const Eigen::Vector3d> outside,
-                            const std::function<bool(int32_t, int32_t)>& allowed) {
+                            const std::function<bool(int32_t, int32_t)>& allowed, Misfits misfits) {
     const std::function<bool(int32_t, int32_t, int32_t)> fits = [&](int32_t i, int32_t j, int32_t k) {
       return Fits({i, j, k});
     };
-    LoopTriangulation triangulation(loop_, outside, allowed, fits);
+    LoopTriangulation triangulation(loop_, outside, allowed, fits, misfits);
     std::vector<Triangle> triangles;
     for (int round = 0; round < kRounds; ++round) {
       triangles = triangulation.Run();
@@ -57,7 +56,7 @@ class SoundTriangulator {
   }
 
   // Forbids the larger one of any two that cross, and the largest of those at an edge with more than two; false if
-  // there are none.
+  // there are none that were not forbidden before.
   bool ForbidCrossing(const std::vector<Triangle>& triangles, LoopTriangulation& triangulation) {
     std::vector<SpaceTriangle> in_space;
     for (const Triangle& t : triangles) in_space.push_back(InSpace(t));
@@ -74,11 +73,14 @@ class SoundTriangulator {
     for (const auto& [edge, around] : at_edge) {
       if (around.size() > 2) forbidden.push_back(std::accumulate(around.begin(), around.end(), around[0], larger));
     }
+    bool is_new = false;
     for (const int32_t t : forbidden) {
-      fits_[KeyOf(triangles[t])] = Answer::kNo;
+      Answer& answer = fits_[KeyOf(triangles[t])];
+      is_new = is_new || answer != Answer::kNo;
+      answer = Answer::kNo;
       triangulation.Forbid(triangles[t]);
     }
-    return !forbidden.empty();
+    return is_new;
   }
 
   size_t KeyOf(const Triangle& t) const {
@@ -96,9 +98,9 @@ class SoundTriangulator {
 
 std::vector<Triangle> TriangulateSoundly(std::span<const Point3> loop, std::span<const Eigen::Vector3d> outside,
                                          const std::function<bool(int32_t, int32_t)>& allowed,
-                                         const CrossingIndex& surface) {
+                                         const CrossingIndex& surface, Misfits misfits) {
   if (static_cast<int32_t>(loop.size()) <= kLongestSoundLoop)
-    return SoundTriangulator(loop, surface).Run(outside, allowed);
+    return SoundTriangulator(loop, surface).Run(outside, allowed, misfits);
   CrossingIndex taken = surface;
   ClippedLoop clipped = ClipEars(loop, outside, allowed, kClippedTo, taken);
   const std::vector<int32_t>& rest = clipped.rest;
@@ -106,7 +108,7 @@ std::vector<Triangle> TriangulateSoundly(std::span<const Point3> loop, std::span
   std::vector<Point3> places;
   for (const int32_t i : rest) places.push_back(loop[i]);
   const auto allowed_rest = [&](int32_t i, int32_t k) { return allowed(rest[i], rest[k]); };
-  const std::vector<Triangle> inner = SoundTriangulator(places, taken).Run(clipped.outside, allowed_rest);
+  const std::vector<Triangle> inner = SoundTriangulator(places, taken).Run(clipped.outside, allowed_rest, misfits);
   if (inner.empty()) return {};
   for (const Triangle& t : inner) clipped.triangles.push_back({rest[t[0]], rest[t[1]], rest[t[2]]});
   return std::move(clipped.triangles);

@@ -1,4 +1,4 @@
-#include "worker/check/crossing_curves.h"
+#include "worker/fill/space/crossing_curves.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,6 +10,7 @@ namespace {
 
 using ::testing::Each;
 using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 // A strip of triangles in the plane z = 0 along x, from 0 to 4, and a fence across it at y = 0.5 of two triangles.
 // Their common edge passes through triangle 2 of the strip.
@@ -38,6 +39,19 @@ TEST_F(CrossingCurvesTest, ACurveBetweenNewTrianglesEndsAtTheInputIfThatDoesNotC
 TEST_F(CrossingCurvesTest, CurvesApartAreToldApart) {
   // The fence's middle is no crossing of this list, so that its two ends are curves of their own.
   EXPECT_THAT(Continue({false, true, true, true, false, true}, {all_[1], all_[3]}), ElementsAre(true, false));
+}
+
+TEST_F(CrossingCurvesTest, NamesTheTrianglesThatNeedNotCross) {
+  const auto at = [&](int t) -> SpaceTriangle {
+    return {points_[triangles_[t][0]], points_[triangles_[t][1]], points_[triangles_[t][2]]};
+  };
+  const std::vector<SpaceTriangle> fence = {at(4), at(5)}, strip = {at(0), at(1), at(2), at(3)};
+  EXPECT_THAT(AvoidableCrossings(fence, strip), ElementsAre(0, 1));
+  // Now the strip's beginning and the fence's are of the surface, and cross there.
+  const std::vector<SpaceTriangle> patch = {at(5), at(2), at(3)}, surface = {at(0), at(1), at(4)};
+  EXPECT_THAT(AvoidableCrossings(patch, surface), IsEmpty());
+  const std::vector<SpaceTriangle> alone = {at(5)}, flat = {at(1), at(2)};
+  EXPECT_THAT(AvoidableCrossings(alone, flat), ElementsAre(0));
 }
 
 }  // namespace

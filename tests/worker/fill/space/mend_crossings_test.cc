@@ -69,6 +69,21 @@ TEST_F(MendCrossingsTest, GoesAroundSurfaceInTheHole) {
   ExpectClosesHole(work_, work_.holes[0], ToHolePatch(hole_, std::move(mended)));
 }
 
+// The blade passes through the hole's boundary at one edge. Through the triangle there it passes in any patch, but not
+// through others.
+TEST_F(MendCrossingsTest, GoesAroundSurfaceThatPassesThroughTheRim) {
+  const RegionSegment& s = hole_.segments[0];
+  const Point3 on = (hole_.positions[s.from] + hole_.positions[s.to]) / 2, centre(0, -5, 0);
+  const Point3 in = on + 0.9 * (centre - on), out = on - 0.2 * (centre - on);
+  CloseAbout(centre);
+  const std::vector<SpaceTriangle> blade = {{out - Point3(0, 0, 0.3), in - Point3(0, 0, 0.3), on + Point3(0, 0, 0.3)}};
+  Mended(blade);
+  const SurfaceNear near = [&](const Point3&, const Point3&) { return blade; };
+  CrossingCheck check(hole_, ReachOf(work_, work_.holes[0]), near, {});
+  EXPECT_THAT(check.Crossed(patch_), IsEmpty()) << "what passes through the rim is left out";
+  EXPECT_THAT(check.CrossedAvoidably(patch_), Not(IsEmpty()));
+}
+
 TEST_F(MendCrossingsTest, KeepsWaterAtItsLevel) {
   CloseAbout({0, -5, 0});
   hole_.level = 0;

@@ -96,6 +96,11 @@ TEST(PatchCrossingsTest, NamesTheTrianglesThatCross) {
   EXPECT_THAT(SelfCrossings(std::vector{kThrough, kAbove, kFlat}), testing::ElementsAre(testing::Pair(0, 2)));
 }
 
+TEST(PatchCrossingsTest, NamesTheSurfaceThatIsCrossed) {
+  EXPECT_THAT(SurfaceCrossings(std::vector{kAbove, kFlat}, std::vector{kAbove, kThrough}),
+              testing::ElementsAre(testing::Pair(0, 0), testing::Pair(1, 1)));
+}
+
 TEST(PatchCrossingsTest, SeesASegmentThatMeetsATriangle) {
   EXPECT_TRUE(SegmentCrosses(Point3(1, 1, -1), Point3(1, 1, 1), kFlat));
   EXPECT_TRUE(SegmentCrosses(Point3(-1, 1, 0), Point3(9, 1, 0), kFlat));

@@ -43,6 +43,19 @@ TEST(SoundTriangulationTest, TakesTheDiagonalThatTheSurfaceLeavesFree) {
               IsEmpty());
 }
 
+TEST(SoundTriangulationTest, CrossesLittleWhereItMustIfThatIsWanted) {
+  // A strip of three squares; the middle one is crossed whichever diagonal it gets.
+  const std::vector<Point3> loop = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0},
+                                    {3, 1, 0}, {2, 1, 0}, {1, 1, 0}, {0, 1, 0}};
+  const std::vector<Eigen::Vector3d> outside(loop.size(), Eigen::Vector3d::Zero());
+  const std::vector<SpaceTriangle> needle = {{Point3(1.4, 0.45, -1), Point3(1.41, 0.45, -1), Point3(1.4, 0.45, 1)}};
+  const CrossingIndex taken(needle);
+  EXPECT_THAT(TriangulateSoundly(loop, outside, kAnyChord, taken), IsEmpty());
+  const std::vector<Triangle> triangles = TriangulateSoundly(loop, outside, kAnyChord, taken, Misfits::kFew);
+  ASSERT_THAT(triangles, SizeIs(loop.size() - 2));
+  EXPECT_THAT(CrossedTriangles(InSpace(loop, triangles), needle), SizeIs(1));
+}
+
 // A loop whose triangulation with the least bend passes through itself, as noisy rims have.
 TEST(SoundTriangulationTest, DoesNotPassThroughItself) {
   int crossed = 0;
