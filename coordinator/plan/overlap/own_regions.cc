@@ -16,6 +16,7 @@
 #include "coordinator/plan/overlap/outline_walk.h"
 #include "coordinator/plan/overlap/picture_edges.h"
 #include "coordinator/plan/rim/rim.h"
+#include "coordinator/plan/types/meet_tolerance.h"
 
 namespace tilemend {
 namespace {
@@ -53,6 +54,14 @@ int32_t NearestOf(const Plan& plan, const std::vector<RimSegment>& segments, con
 
 bool HaveCommon(const std::vector<Side>& a, const std::vector<Side>& b) {
   return std::ranges::any_of(a, [&](Side side) { return std::ranges::find(b, side) != b.end(); });
+}
+
+// Whether a link leads from the outline of one piece to that of another: the surface has no edge between the two.
+bool AreAcross(const OutlineGap& gap, const Point3& from, const Point3& to) {
+  const auto leaves = [&](const std::optional<int>& axis) {
+    return axis && std::abs(to[*axis] - from[*axis]) > kMeetTolerance;
+  };
+  return leaves(gap.from_across) && leaves(gap.to_across);
 }
 
 // Makes one hole of two of a tile. What is left of `part` has no segments.
@@ -306,9 +315,9 @@ class CellRegions {
     for (size_t i = 0; i + 1 < way.size(); ++i) region.push_back({way[i], way[i + 1], true});
   }
 
-  // New vertices between ends of chains of two pieces, as far apart as those of the rim; at least one half-way, as the
-  // surface may have an edge between the two. Between ends on outlines that cross the way goes along both. The edge of
-  // the area has no heights: from there they follow the hole.
+  // New vertices between ends of chains of two pieces, as far apart as those of the rim; at least one half-way where
+  // the surface may have an edge between the two. Between ends on outlines that cross the way goes along both. The edge
+  // of the area has no heights: from there they follow the hole.
   //   way  the first vertex
   void AddLink(const OutlineGap& gap, const PlanVertex to, const PlannedHole& hole, LinkParts& link_parts,
                std::vector<int32_t>& way) {
@@ -318,6 +327,8 @@ class CellRegions {
       middle[*gap.from_across] = from.position[*gap.from_across];
       middle[*gap.to_across] = to.position[*gap.to_across];
     }
+    const double straight = (to.position - from.position).head<2>().norm();
+    if (AreAcross(gap, from.position, to.position) && link_parts.Take(straight) == 1) return;
     PlanVertex v = from;
     v.tile = cell_;
     v.index = -1;

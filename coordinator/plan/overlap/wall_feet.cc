@@ -57,7 +57,10 @@ class FootLayer {
     const double length = std::abs(way[along]), share = std::min(kWallWidth / length, kMostOfWay);
     foot.position[along] = RoundedToLattice(from[along] + share * way[along], plan_.lattice_step);
     foot.lines = along == 0 ? 2 : 1;
-    if (plan_.vertices[wall].follows >= 0) foot.follows = plan_.vertices[wall].follows;
+    if (plan_.vertices[wall].follows >= 0) {
+      foot.follows = plan_.vertices[wall].follows;
+      foot.on_neighbour = foot.on_neighbour && plan_.vertices[wall].index < 0;  // else it stands on the ground
+    }
     plan_.vertices.push_back(foot);
     return static_cast<int32_t>(plan_.vertices.size() - 1);
   }

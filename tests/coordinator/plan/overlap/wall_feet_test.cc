@@ -56,6 +56,18 @@ TEST(WallFeetTest, HaveTheHeightWhereTheWallIs) {
   EXPECT_EQ(plan.vertices.back().follows, 7);
 }
 
+// The neighbour's surface ends at the next vertex, high above the ground where the wall is.
+TEST(WallFeetTest, OfTheTilesOwnObjectsAreNotOnTheNeighbour) {
+  Plan plan = PlanOfGap(true);
+  plan.vertices.push_back(At(2, 10.1, 7, -1));
+  plan.vertices[0].follows = 4;
+  plan.vertices[1].on_neighbour = true;
+  LayWallFeet(plan);
+  ASSERT_THAT(plan.vertices, SizeIs(7));
+  EXPECT_EQ(plan.vertices[6].follows, 4);
+  EXPECT_FALSE(plan.vertices[6].on_neighbour);
+}
+
 // A foot rounded to the lattice would lie on the next vertex.
 TEST(WallFeetTest, AreNoneWhereTheNextVertexIsAHairOff) {
   for (const double x : {1.9998, 2.0, 2 - 3 * 0x1p-10}) {
