@@ -77,7 +77,7 @@ class CrossingMender {
     for (const Misfits misfits : {Misfits::kNone, Misfits::kFew}) {
       for (const Reach& reach : kMendReaches) {
         for (const bool through_rim : {false, true}) {
-          if (through_rim && check_.ThroughRim().empty()) continue;
+          if (through_rim && (misfits == Misfits::kFew || check_.ThroughRim().empty())) continue;
           misfits_ = misfits;
           may_cross_through_rim_ = through_rim;
           Try([&] { ReplaceAround(crossed, reach); }, crossed);
@@ -259,23 +259,19 @@ class CrossingMender {
     const std::function<bool(int32_t, int32_t)> allowed = [&](int32_t i, int32_t k) {
       return edit.MayJoin(loop[i], loop[k]) && !bridges.contains(Undirected(loop[i], loop[k]));
     };
-    std::vector<Triangle> triangles = TriangulateSoundly(places, outside, allowed, Within(box, edit));
+    std::vector<Triangle> triangles = TriangulateSoundly(places, outside, allowed, Within(box, edit), misfits_);
     std::vector<SpaceTriangle> placed;
     for (const Triangle& t : triangles) placed.push_back({places[t[0]], places[t[1]], places[t[2]]});
     VertexLoop vertices = loop;
-    if (triangles.empty() || !SelfCrossings(placed).empty()) {
+    if (misfits_ == Misfits::kNone && (triangles.empty() || !SelfCrossings(placed).empty())) {
       if (hole_.level) return {};                                    // a new point would not be at it
       const Point3 reach = Point3::Constant(box.diagonal().norm());  // no tip lies farther from the middle
       const CrossingIndex taken = Within({box.min() - reach, box.max() + reach}, edit);
       const std::optional<ConeFill> cone =
           CloseByCone(places, outside, allowed, taken, [&](const Point3& p) { return FreePlaceAt(p, taken); });
-      if (!cone && misfits_ == Misfits::kNone) return {};
-      if (cone) {
-        triangles = cone->triangles;
-        vertices.push_back(edit.AddPoint(cone->tip));
-      } else {
-        triangles = TriangulateSoundly(places, outside, allowed, Within(box, edit), misfits_);
-      }
+      if (!cone) return {};
+      triangles = cone->triangles;
+      vertices.push_back(edit.AddPoint(cone->tip));
     }
     for (Triangle& t : triangles) t = {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
     return triangles;
@@ -309,9 +305,9 @@ class CrossingMender {
     return CountCrossed(first, edit, Within(box, edit)) < before;
   }
 
-  static bool IsManifold(int32_t first, const PatchEdit& edit) {
+  bool IsManifold(int32_t first, const PatchEdit& edit) const {
     for (int32_t t = first; t < edit.count(); ++t) {
-      if (edit.HasOverfullEdge(t)) return false;
+      if (edit.HasOverfullEdge(t) || IsOfSurface(hole_, edit.Corners(t))) return false;
     }
     return true;
   }

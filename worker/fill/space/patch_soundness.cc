@@ -20,13 +20,6 @@ bool HasFlatTriangle(const LocalHole& hole, const LocalPatch& patch) {
                      [&](const Triangle& t) { return TwiceVectorArea(InSpace(hole, patch, t)).squaredNorm() <= 0; });
 }
 
-bool IsOfSurface(const LocalHole& hole, const Triangle& t) {
-  if (std::any_of(t.begin(), t.end(), [&](int32_t v) { return v >= hole.size() || hole.vertices[v] < 0; })) {
-    return false;
-  }
-  return hole.band->HasTriangle({hole.vertices[t[0]], hole.vertices[t[1]], hole.vertices[t[2]]});
-}
-
 // The new points of a patch that something else has as well: another of them, the rim, the surface. In what is written
 // they would be one vertex.
 class TakenPoints {
@@ -63,6 +56,13 @@ class TakenPoints {
 };
 
 }  // namespace
+
+bool IsOfSurface(const LocalHole& hole, const Triangle& t) {
+  if (std::any_of(t.begin(), t.end(), [&](int32_t v) { return v >= hole.size() || hole.vertices[v] < 0; })) {
+    return false;
+  }
+  return hole.band->HasTriangle({hole.vertices[t[0]], hole.vertices[t[1]], hole.vertices[t[2]]});
+}
 
 FillFailure FaultOf(const LocalHole& hole, const LocalPatch& patch) {
   if (HasFlatTriangle(hole, patch)) return FillFailure::kFlatTriangle;

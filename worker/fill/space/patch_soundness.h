@@ -18,6 +18,9 @@ namespace tilemend {
 // that the surface has already, an edge with three triangles, a rim segment without one. O(n).
 FillFailure FaultOf(const LocalHole& hole, const LocalPatch& patch);
 
+// Whether the surface has a triangle of the patch already.
+bool IsOfSurface(const LocalHole& hole, const Triangle& t);
+
 // Whether a triangle of the patch does not face up.
 bool FacesDown(const LocalHole& hole, const LocalPatch& patch, const ProjectionFrame& frame);
 
