@@ -23,9 +23,10 @@ enum class RimReading : uint8_t {
 GroundTrend TrendOf(const ThinPlateProblem& problem);
 
 // Whether such a surface is looked for: a twentieth of the rim's original vertices or more stand on objects, and the
-// rim did not choose a plate without tension. Where the ground is steeper than 10 %, what the filter took for objects
-// may be its own slope.
+// rim did not choose a plate without tension. A rim that was not tested, as most of it stands on objects, has a tension
+// as well. Where the ground is steeper than 10 %, what the filter took for objects may be its own slope. O(rim).
 //   chosen  what ChooseTension said
+//   trend   rise / run; level where the band has no ground
 bool HasWalls(const LocalHole& hole, const HoldOut& chosen, const GroundTrend& trend);
 
 // Of the vertices of a hole. What stands on the ground is a reading, and the ground under an object where it is known.

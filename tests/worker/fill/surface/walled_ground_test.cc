@@ -159,10 +159,10 @@ TEST(WalledGroundTest, TheTrendIsThatOfTheBandWithoutItsWalls) {
   EXPECT_DOUBLE_EQ(TrendOf(plate.problem).steepness, 0.1);
 }
 
-// A rim of twenty vertices, of which `objects` stand on objects.
+// A rim of 40 vertices, of which `objects` stand on objects.
 bool HasWallsWith(int objects, double tension, double slope) {
   CellHoles cell;
-  for (int v = 0; v < 20; ++v) {
+  for (int v = 0; v < 40; ++v) {
     RimVertex vertex;
     vertex.index = v;
     vertex.on_object = v < objects;
@@ -170,15 +170,15 @@ bool HasWallsWith(int objects, double tension, double slope) {
   }
   LocalHole hole;
   hole.cell = &cell;
-  for (int v = 0; v < 20; ++v) hole.vertices.push_back(v);
+  for (int v = 0; v < 40; ++v) hole.vertices.push_back(v);
   return HasWalls(hole, HoldOut{tension, 0, 0, 5}, {.slope = {0.6 * slope, -0.8 * slope}});
 }
 
 TEST(WalledGroundTest, IsForGentleGroundBetweenObjects) {
-  EXPECT_TRUE(HasWallsWith(1, 0.01, 0.09));
-  EXPECT_FALSE(HasWallsWith(0, 0.01, 0.09));
-  EXPECT_FALSE(HasWallsWith(1, 0, 0.09));
-  EXPECT_FALSE(HasWallsWith(1, 0.01, 0.11));
+  EXPECT_TRUE(HasWallsWith(3, 0.01, 0.09));
+  EXPECT_FALSE(HasWallsWith(1, 0.01, 0.09));
+  EXPECT_FALSE(HasWallsWith(3, 0, 0.09));
+  EXPECT_FALSE(HasWallsWith(3, 0.01, 0.11));
 }
 
 TEST(WalledGroundTest, ReadsGroundAndWhatIsKnownUnderObjects) {
