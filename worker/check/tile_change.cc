@@ -60,6 +60,7 @@ TileChange CompareTiles(const LookedMesh& before, const LookedMesh& after) {
   change.added.assign(after.mesh.triangles.size(), true);
   const auto count = static_cast<int32_t>(before.mesh.triangles.size());
   if (BeginsWith(after.mesh.points, before.mesh.points) && BeginsWith(after.mesh.triangles, before.mesh.triangles) &&
+      before.looks.empty() == after.looks.empty() &&
       BeginsWith(after.looks, before.looks)) {  // the fills were appended
     std::fill_n(change.added.begin(), count, false);
     change.added_count = std::ssize(change.added) - count;

@@ -60,6 +60,17 @@ TEST(TileChangeTest, WithoutLooksOnlyPositionsAreCompared) {
   EXPECT_TRUE(change.added.back());
 }
 
+TEST(TileChangeTest, ATileWithoutLooksHasTheLookZero) {
+  LookedMesh bare = Squares();
+  bare.looks.clear();
+  LookedMesh looked = Squares();
+  looked.looks.assign(looked.looks.size(), 0);
+  looked.looks[5] = 7;
+  EXPECT_THAT(CompareTiles(bare, looked).missing, ElementsAre(5));
+  EXPECT_EQ(CompareTiles(bare, looked).added_count, 1);
+  EXPECT_THAT(CompareTiles(looked, bare).missing, ElementsAre(5));
+}
+
 TEST(TileChangeTest, OneBitOfACoordinateOrOfTheLookIsAChange) {
   const LookedMesh before = Squares();
   LookedMesh moved = before;
