@@ -32,7 +32,7 @@ constexpr size_t kMostNameBytes = 256;
 // Each takes some 20 kB, and what it says.
 constexpr size_t kMostSyncs = 4096;
 
-// Results that wait until they are checked. Beyond that they stay with their worker, which reports them again.
+// Calls that wait until what they report is checked. Beyond that it stays with its worker, which reports it again.
 constexpr int64_t kMostUncheckedBytes = int64_t{64} << 20;
 
 // All that is told at once waits for the disk once, so that two threads answer.
@@ -73,10 +73,11 @@ absl::Status CheckSync(const v1::SyncRequest& request) {
   return absl::OkStatus();
 }
 
-int64_t ResultBytesOf(const v1::SyncRequest& request) {
-  int64_t bytes = 0;
-  for (const v1::FinishedTask& finished : request.finished()) bytes += std::ssize(finished.output().content());
-  return bytes;
+int64_t BytesOf(const v1::SyncRequest& request) { return static_cast<int64_t>(request.ByteSizeLong()); }
+
+// All but the attempts they are of. The call may yet wait for long.
+void LetGoOfResults(v1::SyncRequest& request) {
+  for (v1::FinishedTask& finished : *request.mutable_finished()) finished.clear_result();
 }
 
 absl::Status TooManyResults() {
@@ -138,20 +139,16 @@ void WorkHandler::Sync(std::shared_ptr<WorkerSync> sync) {
   }
   if (!refused.ok()) return sync->answer(refused);
   if (request.finished().empty() && request.seen().empty()) return Enter(sync, {});
-  if (!request.finished().empty() && !HasRoomFor(*sync)) return sync->answer(TooManyResults());
+  if (!HasRoomFor(*sync)) return sync->answer(TooManyResults());
   checks_.Add(std::move(sync));
 }
 
 bool WorkHandler::HasRoomFor(const WorkerSync& sync) {
-  const int64_t bytes = ResultBytesOf(sync.request);
+  const int64_t bytes = BytesOf(sync.request);
   const ClusterLock lock(cluster_.mutex);
-  reports_.CountChecks(sync, 1);
   const bool fits = unchecked_bytes_ == 0 || unchecked_bytes_ + bytes <= kMostUncheckedBytes;
-  if (fits) {
-    unchecked_bytes_ += bytes;
-  } else {
-    reports_.CountChecks(sync, -1);  // it has been heard all the same
-  }
+  if (fits) unchecked_bytes_ += bytes;
+  reports_.CountChecks(sync, fits ? 1 : 0);  // it has been heard in any case
   return fits;
 }
 
@@ -169,11 +166,11 @@ absl::Status WorkHandler::Refusal(const v1::SyncRequest& request) {
 }
 
 void WorkHandler::Check(const std::shared_ptr<WorkerSync>& sync) {
-  if (sync->request.finished().empty()) return Enter(sync, {});
+  const int64_t bytes = BytesOf(sync->request);
   // Whoever has waited too long in the queue reports them again.
-  const int64_t bytes = ResultBytesOf(sync->request);
   std::vector<ResultIntake::Report> reports;
   if (sync->alive()) reports = reports_.Check(sync->request);
+  LetGoOfResults(sync->request);
   {
     const ClusterLock lock(cluster_.mutex);
     reports_.CountChecks(*sync, -1);

@@ -45,7 +45,7 @@ class WorkHandler {
   };
 
   absl::Status Refusal(const v1::SyncRequest& request);
-  // Whether the results of the call may wait to be checked. If so they count until they are.
+  // Whether the call may wait until what it reports is checked. If so it counts until then.
   bool HasRoomFor(const WorkerSync& sync);
   void Check(const std::shared_ptr<WorkerSync>& sync);
   // What the call says takes effect; then it waits.
@@ -60,7 +60,7 @@ class WorkHandler {
   LongCalls calls_;
   Crew<Answer> answers_;
   WaitingSyncs waiting_;
-  int64_t unchecked_bytes_ = 0;  // of results. Guarded by the lock.
+  int64_t unchecked_bytes_ = 0;  // of calls in checks_. Guarded by the lock.
   Crew<std::shared_ptr<WorkerSync>> checks_;
 };
 

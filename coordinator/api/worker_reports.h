@@ -21,7 +21,8 @@ class WorkerReports {
   WorkerReports(Cluster& cluster, StateUpdates& updates)
       : cluster_(cluster), updates_(updates), results_(cluster, updates) {}
 
-  // The worker has so many more calls whose results are checked; until those are none, it does not count as silent.
+  // The worker, which was just heard, has so many more calls whose reports are checked; until those are none, it does
+  // not count as silent.
   void CountChecks(const WorkerSync& sync, int change);
   // Whether results can be what was asked for. Their content goes from the call into the reports. Without the lock;
   // reads files and computes.

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <future>
 #include <iterator>
@@ -10,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "absl/cleanup/cleanup.h"
 #include "common/rpc/limits.h"
 #include "common/util/error_info.h"
 #include "coordinator/store/blob_folder.h"
@@ -105,6 +107,26 @@ class SlowCheckTest : public CoordinatorTest {
     calls_.work.Sync(std::make_shared<WorkerSync>(WorkerSync{request, "", [] { return true; }, answer}));
     return told->get_future();
   }
+  std::vector<v1::Task> AwaitTasks(size_t count) {
+    v1::CreateJobRequest job = NewRequest();
+    job.mutable_spec()->set_scene("toy://10x8");
+    EXPECT_TRUE(calls_.jobs.CreateJob(job).ok());
+    std::vector<v1::Task> tasks;
+    for (int i = 0; i < 20 && tasks.size() < count; ++i) {
+      const v1::SyncResponse response = Sync(NewSync("w", 80));
+      tasks.assign(response.start().begin(), response.start().end());
+    }
+    EXPECT_GE(tasks.size(), count);
+    tasks.resize(count);
+    return tasks;
+  }
+  void ExpectRefused(const v1::SyncRequest& request) {
+    Answer answer = Begin(request);
+    ASSERT_EQ(answer.wait_for(std::chrono::seconds(5)), std::future_status::ready) << "it waits to be checked";
+    const absl::Status refused = answer.get().status();
+    EXPECT_TRUE(absl::IsResourceExhausted(refused)) << refused;
+    EXPECT_EQ(ErrorReason(refused), "TOO_MANY_CALLS");
+  }
 
   const std::shared_ptr<std::promise<void>> release_;
 
@@ -123,25 +145,50 @@ class SlowCheckTest : public CoordinatorTest {
 };
 
 TEST_F(SlowCheckTest, ResultsBeyondTheBudgetStayWithTheirWorkerUntilOthersAreChecked) {
-  v1::CreateJobRequest job = NewRequest();
-  job.mutable_spec()->set_scene("toy://10x8");
-  ASSERT_TRUE(calls_.jobs.CreateJob(job).ok());
-  std::vector<v1::Task> tasks;
-  for (int i = 0; i < 20 && tasks.size() < 65; ++i) {
-    const v1::SyncResponse response = Sync(NewSync("w", 80));
-    tasks.assign(response.start().begin(), response.start().end());
-  }
-  ASSERT_GE(tasks.size(), 65U);
+  const std::vector<v1::Task> tasks = AwaitTasks(64);
   std::vector<Answer> answers;
-  for (size_t i = 0; i < 64; ++i) answers.push_back(Begin(Report(tasks[i])));
-  const absl::Status refused = Begin(Report(tasks[64])).get().status();
-  EXPECT_TRUE(absl::IsResourceExhausted(refused)) << refused;
-  EXPECT_EQ(ErrorReason(refused), "TOO_MANY_CALLS");
+  for (size_t i = 0; i < 63; ++i) answers.push_back(Begin(Report(tasks[i])));
+  ExpectRefused(Report(tasks[63]));
   release_->set_value();
   for (Answer& answer : answers) EXPECT_NE(answer.get().status().code(), absl::StatusCode::kResourceExhausted);
-  const auto taken = Begin(Report(tasks[64])).get();
+  const auto taken = Begin(Report(tasks[63])).get();
   ASSERT_TRUE(taken.ok()) << taken.status();
   EXPECT_EQ(taken->acknowledged_size(), 1);
+}
+
+TEST_F(SlowCheckTest, ErrorsAndLooksCountAsResultsDo) {
+  const std::vector<v1::Task> tasks = AwaitTasks(64);
+  const absl::Cleanup release = [this] { release_->set_value(); };
+  std::vector<Answer> answers;
+  for (size_t i = 0; i < 63; ++i) answers.push_back(Begin(Report(tasks[i])));
+  const std::string text(1 << 20, 'e');
+  v1::SyncRequest failed = NewSync("w", 80);
+  Finish(tasks[63], failed);
+  failed.mutable_finished(0)->mutable_error()->set_message(text);
+  ExpectRefused(failed);
+  v1::SyncRequest blind = NewSync("w", 80);
+  blind.add_seen()->set_write_error(text);
+  ExpectRefused(blind);
+}
+
+TEST_F(WorkHandlerTest, ACallThatWaitsForNewsHasLetGoOfItsResults) {
+  for (const bool alive : {true, false}) {
+    v1::SyncRequest request = NewSync();
+    v1::Task unknown;
+    unknown.mutable_ref()->set_job("j");
+    Finish(unknown, request);
+    request.mutable_finished(0)->mutable_output()->set_content(std::string(1 << 20, 'x'));
+    Finish(unknown, request);
+    request.mutable_finished(1)->mutable_error()->set_message(std::string(1 << 20, 'e'));
+    std::promise<void> answered;
+    const auto answer = [&](const absl::StatusOr<v1::SyncResponse>&) { answered.set_value(); };
+    const auto sync = std::make_shared<WorkerSync>(WorkerSync{request, "", [alive] { return alive; }, answer});
+    calls_.work.Sync(sync);
+    answered.get_future().wait();
+    ASSERT_EQ(sync->request.finished_size(), 2);
+    EXPECT_EQ(sync->request.finished(0).ref().job(), "j");
+    EXPECT_LT(sync->request.ByteSizeLong(), 1000U);
+  }
 }
 
 TEST_F(WorkHandlerTest, RefusesNamesWithoutEnd) {
