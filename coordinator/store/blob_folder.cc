@@ -187,6 +187,7 @@ absl::Status BlobFolder::MoveIntoPlace(const std::string& temporary, const std::
   TILEMEND_RETURN_IF_ERROR(SyncFolder(parent));
   const uint32_t bit = uint32_t{1} << (digest[0] <= '9' ? digest[0] - '0' : digest[0] - 'a' + 10);
   if ((synced_parents_.load() & bit) != 0) return absl::OkStatus();
+  if (FailPoint("blob.parent")) return ErrnoStatus(EIO, "cannot sync (injected)", path_);
   TILEMEND_RETURN_IF_ERROR(SyncFolder(path_));  // in which another blob may have made `parent`
   synced_parents_.fetch_or(bit);
   return absl::OkStatus();
@@ -242,7 +243,10 @@ absl::Status BlobFolder::KeepOnly(const std::set<std::string>& digests) {
   if (::mkdtemp(beside.data()) == nullptr) return ErrnoStatus(errno, "cannot create", beside);
   const bool changed = LinkInto(BlobFolder(beside), digests) &&
                        ::renameat2(AT_FDCWD, beside.c_str(), AT_FDCWD, path_.c_str(), RENAME_EXCHANGE) == 0;
-  if (changed) return SyncFolder(std::filesystem::path(path_).parent_path().string());
+  if (changed) {
+    synced_parents_.store(0);  // they were of the folder that is now beside this one
+    return SyncFolder(std::filesystem::path(path_).parent_path().string());
+  }
   std::error_code error;
   std::filesystem::remove_all(beside, error);
   return RemoveOthers(digests);

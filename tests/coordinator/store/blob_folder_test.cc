@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "absl/cleanup/cleanup.h"
 #include "common/rpc/limits.h"
 #include "common/store/digest.h"
 #include "common/util/error_info.h"
+#include "common/util/failpoint.h"
 #include "common/util/files.h"
 #include "tests/support/test_cluster.h"
 
@@ -192,6 +194,27 @@ TEST_F(BlobFolderTest, KeepsOnlyWhatIsStillNeeded) {
   EXPECT_EQ(*blobs_->Read(kept), "kept");
   EXPECT_EQ(*blobs_->Put("other"), other) << "may be put again";
   EXPECT_EQ(*blobs_->Read(other), "other");
+}
+
+// The name of a blob is on the disk if those of the folders above it are.
+TEST_F(BlobFolderTest, SyncsTheFolderOfAParentOnceForEachDigit) {
+  const absl::Cleanup disarm = [] { ArmFailPoint("").IgnoreError(); };
+  const auto syncs_all = [&](const std::string& bytes) {
+    EXPECT_TRUE(ArmFailPoint("blob.parent:1:error").ok());  // the sync that may be left out fails
+    const bool is_left_out = blobs_->Put(bytes, Sync::kYes).ok();
+    EXPECT_TRUE(ArmFailPoint("").ok());
+    return !is_left_out;
+  };
+  const std::string first = "0", same_digit = "23", other_digit = "1";
+  ASSERT_EQ(Sha256Hex(first)[0], Sha256Hex(same_digit)[0]);
+  ASSERT_NE(Sha256Hex(first)[0], Sha256Hex(other_digit)[0]);
+  EXPECT_TRUE(syncs_all(first));
+  EXPECT_TRUE(syncs_all(first)) << "the first time it failed";
+  ASSERT_TRUE(blobs_->Put(first, Sync::kYes).ok());
+  EXPECT_FALSE(syncs_all(same_digit));
+  EXPECT_TRUE(syncs_all(other_digit));
+  ASSERT_TRUE(blobs_->KeepOnly({}).ok());
+  EXPECT_TRUE(syncs_all(first)) << "in a new folder";
 }
 
 // The empty string, "abc": FIPS 180-4.
