@@ -3,15 +3,19 @@
 #include <grpcpp/channel.h>
 #include <grpcpp/client_context.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
+#include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"
 #include "common/rpc/grpc_status.h"
 #include "common/rpc/limits.h"
 #include "common/store/digest.h"
+#include "common/util/error_info.h"
 #include "common/util/status_macros.h"
 #include "tilemend/v1/work.grpc.pb.h"
 
@@ -23,6 +27,8 @@ constexpr std::chrono::seconds kSyncTimeout(15);
 
 // For one blob; 1 GiB at 2 MB/s takes less.
 constexpr std::chrono::minutes kBlobTimeout(10);
+
+constexpr int32_t kMostRetryAfter = 60;  // seconds
 
 class GrpcSyncCall : public SyncCall {
  public:
@@ -94,6 +100,15 @@ class GrpcWorkLink : public WorkLink {
 };
 
 }  // namespace
+
+std::optional<absl::Duration> RetryAfter(const absl::Status& status) {
+  const std::optional<ErrorInfo> info = GetErrorInfo(status);
+  if (!info || info->reason != "TOO_MANY_CALLS") return std::nullopt;
+  const auto told = info->metadata.find("retry_after_s");
+  int32_t seconds = 0;
+  if (told == info->metadata.end() || !absl::SimpleAtoi(told->second, &seconds)) seconds = 1;
+  return absl::Seconds(std::clamp(seconds, 0, kMostRetryAfter));
+}
 
 std::unique_ptr<WorkLink> NewGrpcWorkLink(const std::shared_ptr<grpc::Channel>& channel) {
   return std::make_unique<GrpcWorkLink>(channel);

@@ -3,10 +3,12 @@
 #define TILEMEND_WORKER_SERVICE_WORK_LINK_H_
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "absl/time/time.h"
 #include "tilemend/v1/work.pb.h"
 
 namespace grpc {
@@ -35,6 +37,10 @@ class WorkLink {
   virtual absl::Status WriteBlob(const v1::TaskRef& attempt, const std::string& worker, const std::string& digest,
                                  const std::string& bytes) = 0;
 };
+
+// How long to wait before the next call, where the coordinator answered that it has no room for this one. None for any
+// other status.
+std::optional<absl::Duration> RetryAfter(const absl::Status& status);
 
 std::unique_ptr<WorkLink> NewGrpcWorkLink(const std::shared_ptr<grpc::Channel>& channel);
 

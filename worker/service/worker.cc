@@ -126,10 +126,14 @@ bool Worker::SyncOnce(absl::Duration& backoff) {
     waiting_call_ = nullptr;
     if (mode_ == Mode::kAbandoned) return false;
   }
-  if (response.ok()) {
+  const std::optional<absl::Duration> wait = RetryAfter(response.status());
+  if (response.ok() || wait) {
     SetConnected(absl::OkStatus());
     backoff = options_.first_backoff;
     in_vain_ = absl::ZeroDuration();
+  }
+  if (wait) return Pause(2 * std::max(*wait, backoff));  // twice: at least half of a pause is waited
+  if (response.ok()) {
     const bool leave = response->leave();
     Take(request, *std::move(response));
     return !leave;
@@ -148,15 +152,12 @@ bool Worker::AfterFailure(const absl::Status& status, absl::Duration& backoff) {
     end_status_ = status;
     return false;
   }
-  const absl::Duration pause = backoff;
-  backoff = std::min(2 * backoff, options_.max_backoff);
-  return Pause(pause);
+  return Pause(std::exchange(backoff, std::min(2 * backoff, options_.max_backoff)));
 }
 
 void Worker::SetConnected(const absl::Status& status) {
   metrics_.SetConnected(status.ok());
-  std::string reason;
-  if (!status.ok()) reason = absl::StrCat("cannot reach its coordinator: ", std::string(status.message()));
+  std::string reason = status.ok() ? "" : absl::StrCat("cannot reach its coordinator: ", status.message());
   std::lock_guard<std::mutex> lock(mutex_);
   if (reason.empty() && !unconnected_.empty()) options_.log->Info("connected");
   // Once for each time, however the reason changes; an address that is wrong is told of as well.
@@ -433,10 +434,9 @@ v1::FinishedTask Worker::Report(const Held& held, absl::StatusOr<std::string> ou
       return report;
     }
     blob.set_digest(Sha256Hex(*output));
-    absl::Status written = link_->WriteBlob(task.ref(), options_.id, blob.digest(), *output);
-    for (int tried = 0; !written.ok() && MayTryAgain(held, written, tried); ++tried) {
-      written = link_->WriteBlob(task.ref(), options_.id, blob.digest(), *output);
-    }
+    const auto write = [&] { return link_->WriteBlob(task.ref(), options_.id, blob.digest(), *output); };
+    absl::Status written = write();
+    for (int tried = 0; !written.ok() && MayTryAgain(held, written, tried); ++tried) written = write();
     if (written.ok()) {
       *report.mutable_output() = std::move(blob);
       return report;

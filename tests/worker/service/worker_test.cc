@@ -147,6 +147,27 @@ TEST_F(WorkerTest, CountsCallsInVainFromTheLastAnswer) {
   EXPECT_EQ(ends_, 1);
 }
 
+absl::Status TooManyCalls(const std::string& retry_after_s) {
+  return WithErrorInfo(absl::ResourceExhaustedError("no room"), {"TOO_MANY_CALLS", {{"retry_after_s", retry_after_s}}});
+}
+
+TEST_F(WorkerTest, ACoordinatorWithoutRoomIsNotOutOfReach) {
+  patience_ = absl::Milliseconds(3);
+  const auto worker = NewWorker(Echo);
+  for (int call = 0; call < 8; ++call) coordinator_.Answer(TooManyCalls("0"));
+  EXPECT_EQ(worker->WhyNotReady(), "");
+  worker->Abandon();
+}
+
+TEST_F(WorkerTest, WaitsForAsLongAsItIsToldBeforeItCallsAgain) {
+  const auto worker = NewWorker(Echo);
+  coordinator_.Answer(TooManyCalls("1"));
+  const absl::Time begin = absl::Now();
+  coordinator_.Answer(v1::SyncResponse());
+  EXPECT_GE(absl::Now() - begin, absl::Milliseconds(900));
+  worker->Abandon();
+}
+
 TEST(NewWorkerIdTest, NamesHostAndProcessAndIsNew) {
   EXPECT_THAT(NewWorkerId(), MatchesRegex(".+-[0-9]+-[0-9a-f]+"));
   EXPECT_NE(NewWorkerId(), NewWorkerId());
