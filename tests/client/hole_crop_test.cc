@@ -6,6 +6,7 @@
 #include <array>
 #include <cstring>
 #include <map>
+#include <vector>
 
 #include "client/crop_bytes.h"
 #include "client/picture_atlas.h"
@@ -98,14 +99,28 @@ TEST(HoleCropTest, APictureHasABoundedNumberOfTriangles) {
 // Faces that share a vertex share it in the picture, and a cleared face keeps its own mesh's corners.
 TEST(HoleCropTest, OnAGridNeighboursStillShareVertices) {
   TilePair pair = Filled(121);
-  pair.change.missing = {7};
+  TriMesh& before = pair.before.faces.mesh;
+  const auto n = static_cast<int32_t>(before.points.size());  // where `after` has the fill
+  const SpaceTriangle roof = {Point3(10, 10, 20), Point3(30, 10, 20), Point3(10, 30, 20)};
+  before.points.insert(before.points.end(), roof.begin(), roof.end());
+  before.triangles.push_back({n, n + 1, n + 2});
+  const auto cleared = static_cast<int32_t>(before.triangles.size()) - 1;
+  pair.change.missing = {cleared};
   const HoleCrop crop = CropAround(pair, {Point3(0, 0, 0), Point3(121, 121, 0)});
   std::map<std::array<double, 3>, int> faces_at;
+  std::vector<HoleCrop::Face> cleared_faces;
   double area = 0;
   for (const HoleCrop::Face& face : crop.faces) {
+    if (face.state == FaceState::kCleared) {
+      cleared_faces.push_back(face);
+      continue;
+    }
     for (const Point3& p : face.corners) ++faces_at[{p.x(), p.y(), p.z()}];
     area += (face.corners[1] - face.corners[0]).cross(face.corners[2] - face.corners[0]).z() / 2;
   }
+  ASSERT_THAT(cleared_faces, SizeIs(1));
+  EXPECT_EQ(cleared_faces[0].triangle, cleared);
+  EXPECT_EQ(cleared_faces[0].corners, roof) << "each is alone in its square";
   EXPECT_LT(std::ssize(faces_at), kMostCropFaces);
   EXPECT_NEAR(area, 121 * 121, 0.05 * 121 * 121) << "no gaps; vertices at the border move inwards";
 }
