@@ -77,17 +77,23 @@ float RiseBeside(float before, float here, float behind) {
 }  // namespace
 
 FilteredGround::FilteredGround(GroundRaster lowest, const GroundFilterOptions& options)
-    : FilteredGround(lowest, options, SquareBlocks::All(lowest.cols, lowest.rows)) {}
+    : options_(options), ground_(std::move(lowest)) {
+  DropObjects(SquareBlocks::All(ground_.cols, ground_.rows));
+}
 
 FilteredGround::FilteredGround(GroundRaster lowest, const GroundFilterOptions& options, const SquareBlocks& asked)
     : options_(options), ground_(std::move(lowest)) {
+  DropObjects(asked);
+}
+
+void FilteredGround::DropObjects(const SquareBlocks& asked) {
   const SquareBlocks seen = asked.GrownBy(static_cast<int32_t>(SightOver(ground_.square) / ground_.square) + 1);
   const Steps steps(ground_.heights);
   StepRaster surface = InSteps(ground_, steps);
-  DropPits(options.outlier_slope * ground_.square / steps.step, surface);
+  DropPits(options_.outlier_slope * ground_.square / steps.step, surface);
   std::vector<OpeningStep> openings;
-  for (const int32_t radius : Radii(options.window, ground_.square)) {
-    openings.push_back({radius, options.slope * radius * ground_.square / steps.step});
+  for (const int32_t radius : Radii(options_.window, ground_.square)) {
+    openings.push_back({radius, options_.slope * radius * ground_.square / steps.step});
   }
   const std::vector<uint8_t> is_object = ObjectSquares(surface, seen, openings);
   for (size_t i = 0; i < surface.heights.size(); ++i) {

@@ -41,14 +41,16 @@ inline double FilterReach(const GroundFilterOptions& options) { return 2 * optio
 // The tolerance is that of step 4: threshold + slope_factor * slope of the ground. On ground the slope is the smaller
 // of those to either side, so ground beside a wall is not steep. Under objects it is the mean one of the pairs.
 //
-// Cost: some 400 operations on 8 squares each, for windows of 50 squares. Only what is asked for, or seen from
-// there, is opened.
+// Cost: some 400 operations on 8 squares each, for windows of 50 squares. Openings with growing radius are made only
+// for what is asked for, or seen from there. Pits, and the lowest surface of blocks, are looked for in the whole
+// raster.
 class FilteredGround {
  public:
   //   lowest  the lowest surface in each square (lowest_surface.h)
   FilteredGround(GroundRaster lowest, const GroundFilterOptions& options);
 
-  // For questions about the squares of `asked` alone, which is a set for this raster.
+  // For questions about the squares of `asked` alone, which is a set for this raster. What is told of others has no
+  // meaning.
   FilteredGround(GroundRaster lowest, const GroundFilterOptions& options, const SquareBlocks& asked);
 
   // Whether the square has surface that is no object.
@@ -82,6 +84,7 @@ class FilteredGround {
     }
   };
 
+  void DropObjects(const SquareBlocks& asked);
   static float At(const GroundRaster& raster, int32_t col, int32_t row);
   Sight Look(int32_t col, int32_t row, int32_t dx, int32_t dy) const;
   float SlopeOfGround(int32_t col, int32_t row) const;

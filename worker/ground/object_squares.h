@@ -16,9 +16,9 @@ struct OpeningStep {
   double most = 0;     // steps of height: where an opening is lower by more than the one before, there is an object
 };
 
-// Of each square of the raster, 1 or 0: whether any of the openings takes more away there than the one before, and the
-// first more than is missing from the surface, by its `most`. Says so of squares of `asked` that have surface. What it
-// says of others has no meaning.
+// Of each square of the raster, 1 or 0: whether an opening is lower there than the one before (the first: than the
+// surface) by more than its `most`. Says so of squares of `asked` that have surface. What it says of others has no
+// meaning.
 //
 // Large openings are made only around squares from which they can take so much. That is told by the lowest surface of a
 // few boxes of blocks: each has a disk inside that covers the square, and no opening is lower than the lowest surface
