@@ -37,7 +37,7 @@ inline GroundRaster EmptyRaster(double square, int32_t col, int32_t row, int32_t
 inline int32_t SquareAt(double coordinate, double square) {
   const double squares = coordinate / square;
   const auto whole = static_cast<int32_t>(squares);
-  return whole - (whole > squares ? 1 : 0);  // as std::floor, which is a call on older processors
+  return whole - (whole > squares ? 1 : 0);  // as std::floor, which is a call without SSE4.1
 }
 
 // What is ground at a place is told by the surface within this distance, metres: FilterReach of the default options

@@ -100,7 +100,7 @@ class Rasterizer {
 
   double PlaceAt(int64_t k) const { return (static_cast<double>(k) + 0.5) * step_; }
 
-  int64_t FirstPlace(double coordinate) const {  // std::ceil is a call on older processors
+  int64_t FirstPlace(double coordinate) const {  // std::ceil is a call without SSE4.1
     const double place = coordinate / step_ - 0.5;
     const auto whole = static_cast<int64_t>(place);
     return whole + (whole < place ? 1 : 0);
