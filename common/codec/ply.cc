@@ -1,6 +1,7 @@
 #include "common/codec/ply.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <span>
 #include <utility>
