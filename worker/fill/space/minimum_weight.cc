@@ -81,11 +81,10 @@ LoopTriangulation::Choice LoopTriangulation::Choose(int32_t i, int32_t k) const 
   }
   std::sort(others.begin(), others.end());
   const auto fitting = std::ranges::find_if(others, [&](const Choice& other) { return fits_(i, other.vertex, k); });
-  if (fitting != others.end()) return *fitting;
-  if (misfits_ == Misfits::kNone) return {};
+  if (misfits_ == Misfits::kNone) return fitting != others.end() ? *fitting : Choice();
   best.weight.angle = kMisfitAngle;
   best.weight.area += kMisfitArea;
-  return best;
+  return fitting != others.end() && !(best.weight < fitting->weight) ? *fitting : best;  // misfits may lie below it
 }
 
 // Takes triangle i, j, k where that is better.

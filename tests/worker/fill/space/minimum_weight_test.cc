@@ -142,6 +142,20 @@ TEST(TriangulateLoopTest, GivesTheSameAreaWhereverTheLoopStarts) {
   EXPECT_NEAR(area(loop), expected, 0.05 * expected);
 }
 
+// Triangle 0, 2, 4 fits, but what it leaves can be closed with two misfits alone.
+TEST(LoopTriangulationTest, TakesAMisfitWhereTheTriangleThatFitsNeedsMore) {
+  const Loop loop = {{0, 0, 0}, {2, -1, 0}, {4, 0, 0}, {3, 3, 0}, {1, 3, 0}};
+  const std::vector<Eigen::Vector3d> outside(loop.size(), Eigen::Vector3d::Zero());
+  const std::function<bool(int32_t, int32_t)> allowed = AllAllowed;
+  const std::function<bool(int32_t, int32_t, int32_t)> fits = [](int32_t i, int32_t j, int32_t k) {
+    return i == 0 && k == 4 ? j == 2 : k - i > 2 || i == 1;
+  };
+  const auto triangles = LoopTriangulation(loop, outside, allowed, fits, Misfits::kFew).Run();
+  ExpectClosesLoop(loop, triangles);
+  EXPECT_EQ(std::ranges::count_if(triangles, [&](const Triangle& t) { return !fits(t[0], t[1], t[2]); }), 1);
+  EXPECT_THAT(LoopTriangulation(loop, outside, allowed, fits).Run(), IsEmpty());
+}
+
 TEST(LoopTriangulationTest, IsAfterEachForbiddenTriangleWhatItWouldBeFromTheStart) {
   for (uint32_t seed = 0; seed < 20; ++seed) {
     std::mt19937 random(seed);
