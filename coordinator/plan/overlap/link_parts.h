@@ -18,14 +18,18 @@ class LinkParts {
   // Into how many parts, 1 or more, the next link of this length (metres) falls. A rim without length or edges asks
   // for no more than one.
   int64_t Take(double length) {
-    const double wanted = spacing_ > 0 ? std::ceil(length / spacing_) - 1 : 0;
-    const auto more = static_cast<int64_t>(std::clamp(wanted, 0.0, static_cast<double>(left_)));
+    const auto more = static_cast<int64_t>(std::clamp(Wanted(length), 0.0, static_cast<double>(left_)));
     left_ -= more;
     return 1 + more;
   }
+  // Whether a link of this length is longer than edges of the rim, however many parts are left.
+  bool Wants(double length) const { return Wanted(length) > 0; }
 
  private:
   static constexpr int64_t kMost = 16;
+
+  // Parts beyond the first.
+  double Wanted(double length) const { return spacing_ > 0 ? std::ceil(length / spacing_) - 1 : 0; }
 
   const double spacing_;  // metres
   int64_t left_;          // parts beyond the first of each link

@@ -328,7 +328,7 @@ class CellRegions {
       middle[*gap.to_across] = to.position[*gap.to_across];
     }
     const double straight = (to.position - from.position).head<2>().norm();
-    if (AreAcross(gap, from.position, to.position) && link_parts.Take(straight) == 1) return;
+    if (AreAcross(gap, from.position, to.position) && !link_parts.Wants(straight)) return;
     PlanVertex v = from;
     v.tile = cell_;
     v.index = -1;

@@ -18,6 +18,14 @@ TEST(LinkPartsTest, AreNoMoreThanManyTimesTheRimHas) {
   EXPECT_EQ(parts.Take(1000), 1);
 }
 
+TEST(LinkPartsTest, AreWantedThoughNoneAreLeft) {
+  LinkParts parts(1e-3, 10);
+  EXPECT_FALSE(parts.Wants(1e-4));
+  EXPECT_TRUE(parts.Wants(1000));
+  EXPECT_EQ(parts.Take(1000), 161) << "asking takes none";
+  EXPECT_TRUE(parts.Wants(1000));
+}
+
 TEST(LinkPartsTest, ARimWithoutLengthOrEdgesAsksForNone) {
   EXPECT_EQ(LinkParts(0, 10).Take(1000), 1);
   EXPECT_EQ(LinkParts(0, 0).Take(1000), 1);
