@@ -21,6 +21,9 @@ constexpr double kApart = 2e-2;  // metres: so far beyond another one a way come
 constexpr double kOverlaps = 8;  // the surface of a piece ends at most so many reaches before that of the next begins
 
 constexpr double kOutlineWeight = 0.5;  // of a metre along the outline of a piece, against one across
+// Edges that a way follows at either end. Each vertex of the one end is compared with those of the other, so it bounds
+// their pairs to a million where the outline of a piece has edges of a centimetre.
+constexpr int64_t kMostFollowed = 1000;
 
 // A vertex where a chain off the outline ends or begins, seen along the walk.
 struct Event {
@@ -51,43 +54,60 @@ struct OutlineStep {
   double way = 0;                 // metres from the first vertex
 };
 
-// Edges on outlines of pieces.
+// The axis across an edge that is level with one.
+std::optional<int> AxisAcross(const SurveyRecord& record, const BoundaryEdge& e) {
+  const Point3 way = record.vertices[e.to].position - record.vertices[e.from].position;
+  const bool of_x = std::abs(way.x()) <= kMeetTolerance, of_y = std::abs(way.y()) <= kMeetTolerance;
+  return of_x == of_y ? std::nullopt : std::optional(of_x ? 0 : 1);
+}
+
+// Edges on outlines of pieces. Each is in one way at most.
 class OutlineWays {
  public:
   OutlineWays(const SurveyRecord& record, const std::vector<bool>& taken)
       : record_(record),
         leaving_(EdgesBy(taken, [](const BoundaryEdge& e) { return e.from; })),
-        arriving_(EdgesBy(taken, [](const BoundaryEdge& e) { return e.to; })) {}
+        arriving_(EdgesBy(taken, [](const BoundaryEdge& e) { return e.to; })),
+        is_used_(record.edges.size(), false) {}
 
   // Where outlines run along the way between two chains, it goes along them: as short as can be, if their edges count
-  // less than what lies between them.
-  void Follow(OutlineGap& gap) const {
+  // less than what lies between them. Edges that an earlier way has taken are in the way of this one.
+  void Follow(OutlineGap& gap) {
     double least = (At(gap.to) - At(gap.from)).norm();
     const std::vector<OutlineStep> after = From(gap.to, false, least), before = From(gap.from, true, least);
     std::pair<size_t, size_t> best{0, 0};
     for (size_t i = 0; i < after.size(); ++i) {
       for (size_t k = 0; k < before.size(); ++k) {
-        const double across = (At(after[i].vertex) - At(before[k].vertex)).norm();
-        const double length = kOutlineWeight * (after[i].way + before[k].way) + across;
+        const double along = kOutlineWeight * (after[i].way + before[k].way);
+        if (along >= least) break;
+        const double length = along + (At(after[i].vertex) - At(before[k].vertex)).norm();
         if (length >= least) continue;
         least = length;
         best = {i, k};
       }
     }
-    for (size_t i = 1; i <= best.first; ++i) gap.along.push_back(after[i].edge);
-    for (size_t k = 1; k <= best.second; ++k) gap.along.push_back(before[k].edge);
+    for (size_t i = 1; i <= best.first; ++i) Take(after[i].edge, gap);
+    for (size_t k = 1; k <= best.second; ++k) Take(before[k].edge, gap);
     gap.link = {before[best.second].vertex, after[best.first].vertex};
+    if (best.first > 0) gap.to_across = AxisAcross(record_, record_.edges[after[best.first].edge]);
+    if (best.second > 0) gap.from_across = AxisAcross(record_, record_.edges[before[best.second].edge]);
   }
 
  private:
   const Point3& At(int32_t v) const { return record_.vertices[v].position; }
 
-  // From a vertex along the edges or against them, until they divide or the way counts as much as `longest`.
+  void Take(int32_t edge, OutlineGap& gap) {
+    gap.along.push_back(edge);
+    is_used_[edge] = true;
+  }
+
+  // From a vertex along the edges or against them, until they divide, one is used, or the way counts as much as
+  // `longest`.
   std::vector<OutlineStep> From(int32_t v, bool backward, double longest) const {
     std::vector<OutlineStep> steps = {{v}};
-    while (kOutlineWeight * steps.back().way < longest && std::ssize(steps) <= std::ssize(record_.edges)) {
+    while (kOutlineWeight * steps.back().way < longest && std::ssize(steps) <= kMostFollowed) {
       const auto on = (backward ? arriving_ : leaving_).Of(steps.back().vertex);
-      if (on.size() != 1) break;
+      if (on.size() != 1 || is_used_[on[0]]) break;
       const auto& [from, to, piece] = record_.edges[on[0]];
       steps.push_back({backward ? from : to, on[0], steps.back().way + (At(to) - At(from)).norm()});
     }
@@ -105,6 +125,7 @@ class OutlineWays {
 
   const SurveyRecord& record_;
   const VertexLists leaving_, arriving_;
+  std::vector<bool> is_used_;  // of each edge
 };
 
 class Walker {
@@ -149,7 +170,8 @@ class Walker {
     for (size_t e = 0; e < record_.edges.size(); ++e) {
       const auto [from, to, piece] = record_.edges[e];
       if (!taken_[e]) {
-        for (const int32_t v : {from, to}) at_piece[v] = at_piece[v] ? at_piece[v] : AxisAcross(record_.edges[e]);
+        for (const int32_t v : {from, to})
+          at_piece[v] = at_piece[v] ? at_piece[v] : AxisAcross(record_, record_.edges[e]);
       }
       if (!taken_[e] || walk_.on_outline[e]) continue;
       ++leaving[from];
@@ -166,12 +188,6 @@ class Walker {
     }
   }
 
-  std::optional<int> AxisAcross(const BoundaryEdge& e) const {
-    const Point3 way = record_.vertices[e.to].position - record_.vertices[e.from].position;
-    const bool of_x = std::abs(way.x()) <= kMeetTolerance, of_y = std::abs(way.y()) <= kMeetTolerance;
-    return of_x == of_y ? std::nullopt : std::optional(of_x ? 0 : 1);
-  }
-
   // What ends where a piece does goes on at another chain, or counts to the outline.
   void CloseAtPieces(const std::vector<ChainPassage>& passages) {
     if (piece_ends_.empty()) return;
@@ -183,7 +199,7 @@ class Walker {
     std::vector<PieceEnd> ends;
     for (const Event& event : piece_ends_) ends.push_back({event.vertex, event.ends});
     const PieceMatches matches = MatchPieceEnds(boundary, ends, piece_reach_);
-    const OutlineWays ways(record_, taken_);
+    OutlineWays ways(record_, taken_);
     for (const auto& [begin, end] : matches.pairs) {
       const Event &from = piece_ends_[begin], &to = piece_ends_[end];
       OutlineGap gap{from.vertex, to.vertex, 0, 0, false, from.across, to.across};

@@ -37,7 +37,8 @@ struct OutlineGap {
   int32_t from = 0, to = 0;   // into SurveyRecord::vertices
   double begin = 0, end = 0;  // places; end > begin, perhaps by way of the south-west corner: then beyond Length()
   bool open = true;           // nothing covers it; else it lies under other surface of the tile
-  // The axes across the outlines, of the tile or of a piece, that its ends are on. Empty: level ones, or none.
+  // The axes across the outlines, of the tile or of a piece, that its ends are on; those of the link, if there is one.
+  // Empty: level ones, or none.
   std::optional<int> from_across = {}, to_across = {};
   // Between pieces: edges of their outlines that lead from `to` to the end of the link, and from its beginning to
   // `from`. They bound the hole. The link is what is left of the way; none: it is all of the way.
@@ -52,8 +53,10 @@ struct OutlineWalk {
 };
 
 // `taken` says for each edge of the record whether it counts; others are on outlines of pieces. Chains that end at
-// those are closed as well (MatchPieceEnds), straight; `piece_reach` is how far pieces overlap, or part. Every vertex
-// where chains off the outline begin or end is in one gap each time. Cost O(n log n), and what MatchPieceEnds costs.
+// those are closed as well (MatchPieceEnds), along outlines of pieces where that is shorter; no edge is in the ways of
+// two gaps: the gap that MatchPieceEnds gives first has it. `piece_reach` is how far pieces overlap, or part. Every
+// vertex where chains off the outline begin or end is in one gap each time. Cost O(n log n), what MatchPieceEnds costs,
+// and for each gap between pieces the edges followed at one end times those at the other, up to 1000 each.
 OutlineWalk WalkOutline(const SurveyRecord& record, const std::vector<bool>& taken, const Outline& outline,
                         double piece_reach, const std::vector<ChainPassage>& passages = {});
 

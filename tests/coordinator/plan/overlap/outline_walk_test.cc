@@ -201,12 +201,16 @@ TEST(OutlineWalkTest, WaysOfOverlappingPiecesDoNotRunBesideEachOther) {
 // Pieces that overlap from x = 3 to 3.2.
 class WaysAlongPiecesTest : public ::testing::Test {
  protected:
-  // The edges that ways between chains go along, by their beginnings.
-  std::vector<Point2> Along() const {
+  std::vector<OutlineGap> Gaps(const std::vector<ChainPassage>& passages = {}) const {
     std::vector<bool> taken;
     for (const char kind : tile_.kinds) taken.push_back(kind != 'p');
+    return WalkOutline(tile_.record, taken, kSquare, 0.3, passages).gaps;
+  }
+
+  // The edges that ways between chains go along, by their beginnings.
+  std::vector<Point2> Along(const std::vector<ChainPassage>& passages = {}) const {
     std::vector<Point2> along;
-    for (const OutlineGap& gap : WalkOutline(tile_.record, taken, kSquare, 0.3).gaps) {
+    for (const OutlineGap& gap : Gaps(passages)) {
       for (const int32_t e : gap.along) {
         along.emplace_back(tile_.record.vertices[tile_.record.edges[e].from].position.head<2>());
       }
@@ -228,6 +232,44 @@ TEST_F(WaysAlongPiecesTest, GoAcrossWhereAnotherPieceIsNear) {
   tile_.Add({{0, 4}, {3.2, 4}, {3.2, 5}, {3.2, 6}, {0, 6}}, "cppoo");
   tile_.Add({{3, 1}, {6, 1}, {6, 6}, {3, 6}, {3, 3.9}, {3, 2}}, "cooppp");
   EXPECT_THAT(Along(), testing::UnorderedElementsAre(Point2(3, 3.9), Point2(3, 2)));
+}
+
+// The outline of the east comes to its shore around the corner at (3, 1).
+TEST_F(WaysAlongPiecesTest, GoAcrossFromTheSideOfThePieceWhereTheyLeaveIt) {
+  tile_.Add({{0, 4}, {3.2, 4}, {3.2, 5}, {3.2, 6}, {0, 6}}, "cppoo");
+  tile_.Add({{5, 1}, {6, 1}, {6, 6}, {3, 6}, {3, 3.9}, {3, 1}}, "cooppp");
+  EXPECT_THAT(Along(), testing::UnorderedElementsAre(Point2(3, 3.9), Point2(3, 1)));
+  const std::vector<OutlineGap> gaps = Gaps();
+  const auto linked = std::ranges::find(gaps, tile_.At(5, 1), &OutlineGap::from);
+  ASSERT_NE(linked, gaps.end());
+  EXPECT_EQ(linked->link, std::pair(tile_.At(3, 3.9), tile_.At(3.2, 4)));
+  EXPECT_EQ(linked->from_across, 0) << "the side to the south is across the other axis";
+}
+
+// The western piece ends at x = 3 between two shores. Each of them goes on at a shore of the east that is beside the
+// other one.
+TEST_F(WaysAlongPiecesTest, DoNotTakeAnEdgeTwice) {
+  tile_.Add({{0, 0}, {2, 0}, {2.9, 1}, {3, 1}, {3, 3}, {3, 5}, {2.9, 5}, {2, 6}, {0, 6}},
+            "occpp"
+            "ccoo");
+  tile_.Add({{3.1, 4.9}, {3.2, 4.9}, {6, 4}, {6, 6}, {3.1, 6}}, "ccoop");
+  tile_.Add({{6, 0}, {6, 2}, {3.2, 1.1}, {3.1, 1.1}, {3.1, 0}}, "occpo");
+  const auto at = [](int32_t edge, double x, double y) { return ChainPlace{edge, {x, y}}; };
+  const std::vector<ChainPassage> crosswise = {{at(2, 2.95, 1), at(9, 3.15, 4.9), {}},
+                                               {at(16, 3.15, 1.1), at(5, 2.95, 5), {}}};
+  std::vector<Point2> along = Along(crosswise);
+  EXPECT_THAT(along, testing::UnorderedElementsAre(Point2(3, 1), Point2(3, 3)));
+}
+
+// Neither end of the way is compared with each vertex of an outline that leads away.
+TEST_F(WaysAlongPiecesTest, FollowNoMoreThanSoManyEdges) {
+  std::vector<Point2> ring = {{0, 0}, {2, 0}, {2, 1}};
+  std::string kinds = "oc";
+  for (int k = 0; k <= 3000; ++k) ring.emplace_back(3, 1.5 + k * 1e-3);
+  kinds += "c" + std::string(3000, 'p') + "ccoo";
+  ring.insert(ring.end(), {{2, 5}, {2, 6}, {0, 6}});
+  tile_.Add(ring, kinds);
+  EXPECT_THAT(Along(), SizeIs(2000));
 }
 
 TEST_F(WaysAlongPiecesTest, AreStraightWhereOutlinesAreNoShorterWay) {
