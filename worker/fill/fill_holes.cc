@@ -120,7 +120,7 @@ class HoleFiller {
       return {way.check == Check::kPublished ? FillFailure::kPatchCrosses : FillFailure::kCrosses};
     }
     if (way.check != Check::kNothing || !MayCross(way)) return patch;
-    patch = MendCrossings(hole_, std::move(patch), crossings_);
+    patch = MendCrossings(hole_, std::move(patch), crossings_, options_.refine.is_cancelled);
     if (patch.ok() && !Fits(patch)) patch.failure = FillFailure::kTooLarge;
     return patch;
   }

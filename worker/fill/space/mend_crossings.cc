@@ -63,10 +63,39 @@ int64_t CountCrossed(int32_t first, const PatchEdit& edit, const CrossingIndex& 
   return std::ssize(CrossedTriangles(placed, others));
 }
 
+std::vector<VertexLoop> LoopsAround(const Piece& piece, const PatchEdit& edit) {
+  std::set<std::pair<int32_t, int32_t>> sides;
+  for (const int32_t t : piece) {
+    const Triangle& c = edit.Corners(t);
+    for (int k = 0; k < 3; ++k) sides.insert({c[k], c[(k + 1) % 3]});
+  }
+  std::vector<DirectedEdge> edges;
+  for (const auto& [from, to] : sides) {
+    if (!sides.contains({to, from})) edges.push_back({from, to});
+  }
+  std::vector<VertexLoop> loops;
+  for (const EdgeWalk& walk : LinkEdges(edges)) {
+    VertexLoop& loop = loops.emplace_back();
+    for (const int32_t e : walk.edges) loop.push_back(edges[e].from);
+  }
+  return loops;
+}
+
+bool CrossThemselves(std::span<const Triangle> triangles, std::span<const Point3> places) {
+  std::vector<SpaceTriangle> placed;
+  for (const Triangle& t : triangles) placed.push_back({places[t[0]], places[t[1]], places[t[2]]});
+  return !SelfCrossings(placed).empty();
+}
+
 class CrossingMender {
  public:
-  CrossingMender(const LocalHole& hole, LocalPatch patch, CrossingCheck& check)
-      : hole_(hole), check_(check), patch_(std::move(patch)), surface_(check.Surface().begin(), check.Surface().end()) {
+  CrossingMender(const LocalHole& hole, LocalPatch patch, CrossingCheck& check,
+                 const std::function<bool()>& is_cancelled)
+      : hole_(hole),
+        check_(check),
+        is_cancelled_(is_cancelled),
+        patch_(std::move(patch)),
+        surface_(check.Surface().begin(), check.Surface().end()) {
     first_through_rim_ = static_cast<int32_t>(surface_.size());
     surface_.insert(surface_.end(), check.ThroughRim().begin(), check.ThroughRim().end());
     surface_tree_ = TreeOver(surface_);
@@ -92,7 +121,7 @@ class CrossingMender {
  private:
   // Changes the patch, if no more of it crosses then.
   void Try(const std::function<void()>& change, std::vector<int32_t>& crossed) {
-    if (crossed.empty()) return;
+    if (crossed.empty() || IsCancelled()) return;
     LocalPatch before = patch_;
     change();
     std::vector<int32_t> now = check_.CrossedAvoidably(patch_);
@@ -103,16 +132,26 @@ class CrossingMender {
     }
   }
 
+  bool IsCancelled() const { return is_cancelled_ && is_cancelled_(); }
+
   void ReplaceAround(const std::vector<int32_t>& crossed, const Reach& reach) {
     PatchEdit edit(hole_, patch_);
-    is_crossed_.assign(static_cast<size_t>(edit.count()), false);
-    for (const int32_t t : crossed) is_crossed_[t] = true;
+    if (misfits_ == Misfits::kFew) FindCrossed(edit);
     const std::vector<Piece> pieces = edit.PiecesOf(Around(edit, crossed, reach));
     for (const std::vector<Piece>& group : GroupsOf(pieces, edit)) {
+      if (IsCancelled()) break;
       if (Replace(group, edit) || group.size() == 1) continue;
       for (const Piece& piece : group) Replace({&piece, 1}, edit);
     }
     edit.Finish();
+  }
+
+  // As CountCrossed counts those that are put in: what cannot be avoided is in both.
+  void FindCrossed(const PatchEdit& edit) {
+    std::vector<SpaceTriangle> placed;
+    for (int32_t t = 0; t < edit.count(); ++t) placed.push_back(edit.Placed(t));
+    is_crossed_.assign(placed.size(), false);
+    for (const int32_t t : CrossedTriangles(placed, surface_)) is_crossed_[t] = true;
   }
 
   // Pieces that cross each other, directly or by others: while one of them is there, it is in the way of the other.
@@ -226,24 +265,6 @@ class CrossingMender {
     return BridgedLoop{std::move(loops[0]), std::move(bridges)};
   }
 
-  static std::vector<VertexLoop> LoopsAround(const Piece& piece, const PatchEdit& edit) {
-    std::set<std::pair<int32_t, int32_t>> sides;
-    for (const int32_t t : piece) {
-      const Triangle& c = edit.Corners(t);
-      for (int k = 0; k < 3; ++k) sides.insert({c[k], c[(k + 1) % 3]});
-    }
-    std::vector<DirectedEdge> edges;
-    for (const auto& [from, to] : sides) {
-      if (!sides.contains({to, from})) edges.push_back({from, to});
-    }
-    std::vector<VertexLoop> loops;
-    for (const EdgeWalk& walk : LinkEdges(edges)) {
-      VertexLoop& loop = loops.emplace_back();
-      for (const int32_t e : walk.edges) loop.push_back(edges[e].from);
-    }
-    return loops;
-  }
-
   // Triangles that close the loop and cross nothing; empty if none are found.
   std::vector<Triangle> Close(const BridgedLoop& bridged, PatchEdit& edit) const {
     const VertexLoop& loop = bridged.loop;
@@ -260,10 +281,8 @@ class CrossingMender {
       return edit.MayJoin(loop[i], loop[k]) && !bridges.contains(Undirected(loop[i], loop[k]));
     };
     std::vector<Triangle> triangles = TriangulateSoundly(places, outside, allowed, Within(box, edit), misfits_);
-    std::vector<SpaceTriangle> placed;
-    for (const Triangle& t : triangles) placed.push_back({places[t[0]], places[t[1]], places[t[2]]});
     VertexLoop vertices = loop;
-    if (misfits_ == Misfits::kNone && (triangles.empty() || !SelfCrossings(placed).empty())) {
+    if (misfits_ == Misfits::kNone && (triangles.empty() || CrossThemselves(triangles, places))) {
       if (hole_.level) return {};                                    // a new point would not be at it
       const Point3 reach = Point3::Constant(box.diagonal().norm());  // no tip lies farther from the middle
       const CrossingIndex taken = Within({box.min() - reach, box.max() + reach}, edit);
@@ -341,12 +360,13 @@ class CrossingMender {
 
   const LocalHole& hole_;
   CrossingCheck& check_;
+  const std::function<bool()>& is_cancelled_;
   LocalPatch patch_;
   std::vector<SpaceTriangle> surface_;  // what passes through the hole's boundary comes last
   int32_t first_through_rim_ = 0;
   BoxTree surface_tree_;
   // Of a round: whether a piece is closed with triangles that cross something where no others are found, and whether
-  // new triangles may cross what passes through the boundary; which triangles cross before.
+  // new triangles may cross what passes through the boundary; with misfits also which triangles cross before.
   Misfits misfits_ = Misfits::kNone;
   bool may_cross_through_rim_ = false;
   std::vector<bool> is_crossed_;
@@ -354,10 +374,11 @@ class CrossingMender {
 
 }  // namespace
 
-LocalPatch MendCrossings(const LocalHole& hole, LocalPatch patch, CrossingCheck& check) {
+LocalPatch MendCrossings(const LocalHole& hole, LocalPatch patch, CrossingCheck& check,
+                         const std::function<bool()>& is_cancelled) {
   std::vector<int32_t> crossed = check.CrossedAvoidably(patch);
   if (crossed.empty()) return patch;
-  return CrossingMender(hole, std::move(patch), check).Run(std::move(crossed));
+  return CrossingMender(hole, std::move(patch), check, is_cancelled).Run(std::move(crossed));
 }
 
 }  // namespace tilemend

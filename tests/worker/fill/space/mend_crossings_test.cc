@@ -62,6 +62,22 @@ TEST_F(MendCrossingsTest, ClosesAnewWhereAPatchPassesThroughItself) {
   ExpectClosesHole(work_, work_.holes[0], ToHolePatch(hole_, std::move(mended)));
 }
 
+// Cancelled after any number of questions, it is what it was or sound, and there are no more questions.
+TEST_F(MendCrossingsTest, EndsSoonWhereverItIsCancelled) {
+  CloseAbout({9, -5, 0});
+  CrossingCheck check(hole_, ReachOf(work_, work_.holes[0]), {}, {});
+  bool is_mended = false;
+  for (int end = 1; !is_mended; ++end) {
+    int asked = 0;
+    const LocalPatch patch = MendCrossings(hole_, patch_, check, [&] { return ++asked >= end; });
+    is_mended = check.Crossed(patch).empty();
+    EXPECT_EQ(FaultOf(hole_, patch), FillFailure::kNone);
+    EXPECT_EQ(patch.crossings, std::ssize(check.CrossedAvoidably(patch)));
+    ASSERT_LT(end, 100);
+    EXPECT_TRUE(end > 1 || patch.triangles == patch_.triangles);
+  }
+}
+
 TEST_F(MendCrossingsTest, GoesAroundSurfaceInTheHole) {
   CloseAbout({0, -5, 0});
   LocalPatch mended = Mended({Across(0.6, -4.8)});
