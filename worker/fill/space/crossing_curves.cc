@@ -1,6 +1,7 @@
 #include "worker/fill/space/crossing_curves.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "common/mesh/disjoint_sets.h"
@@ -80,28 +81,40 @@ std::vector<bool> ContinueCrossings(std::span<const Point3> points, std::span<co
   return CurveTracer(points, triangles, is_added, pairs).Run();
 }
 
-std::vector<int32_t> AvoidableCrossings(std::span<const SpaceTriangle> patch, std::span<const SpaceTriangle> surface) {
+std::vector<int32_t> AvoidableCrossings(std::span<const SpaceTriangle> patch, std::span<const SpaceTriangle> surface,
+                                        std::span<const SpaceTriangle> earlier) {
   std::vector<CrossingPair> pairs;
-  const auto first = static_cast<int32_t>(patch.size());
-  for (const auto& [t, of_surface] : SurfaceCrossings(patch, surface)) pairs.push_back({t, first + of_surface});
-  for (const auto& [a, b] : SelfCrossings(patch)) pairs.push_back({a, b});
+  const auto add_pairs = [&](const auto& found, size_t first_of_a, size_t first_of_b) {
+    for (const auto& [a, b] : found) {
+      pairs.push_back({static_cast<int32_t>(first_of_a) + a, static_cast<int32_t>(first_of_b) + b});
+    }
+  };
+  std::vector<SpaceTriangle> before;
+  std::ranges::copy_if(earlier, std::back_inserter(before), HasArea);
+  const size_t own = patch.size(), added = own + before.size();
+  add_pairs(SelfCrossings(patch), 0, 0);
+  add_pairs(SurfaceCrossings(patch, before), 0, own);
+  add_pairs(SurfaceCrossings(patch, surface), 0, added);
   if (pairs.empty()) return {};
+  add_pairs(SelfCrossings(before), own, own);
+  add_pairs(SurfaceCrossings(before, surface), own, added);
   std::ranges::sort(pairs);
   PositionIndex index;
   std::vector<Triangle> triangles;
-  const auto add = [&](const SpaceTriangle& t) {
-    triangles.push_back({index.Insert(t[0]), index.Insert(t[1]), index.Insert(t[2])});
-  };
-  std::ranges::for_each(patch, add);
-  std::ranges::for_each(surface, add);
+  for (const std::span<const SpaceTriangle> part : {patch, std::span<const SpaceTriangle>(before), surface}) {
+    for (const SpaceTriangle& t : part) {
+      triangles.push_back({index.Insert(t[0]), index.Insert(t[1]), index.Insert(t[2])});
+    }
+  }
   std::vector<bool> is_added(triangles.size(), false);
-  std::fill_n(is_added.begin(), patch.size(), true);
+  std::fill_n(is_added.begin(), added, true);
   const std::vector<bool> of_input = ContinueCrossings(index.positions(), triangles, is_added, pairs);
   std::set<int32_t> avoidable;
   for (size_t i = 0; i < pairs.size(); ++i) {
     if (of_input[i]) continue;
-    avoidable.insert(pairs[i].a);
-    if (pairs[i].b < first) avoidable.insert(pairs[i].b);
+    for (const int32_t t : {pairs[i].a, pairs[i].b}) {
+      if (t < std::ssize(patch)) avoidable.insert(t);
+    }
   }
   return {avoidable.begin(), avoidable.end()};
 }

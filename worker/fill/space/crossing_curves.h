@@ -27,9 +27,13 @@ struct CrossingPair {
 std::vector<bool> ContinueCrossings(std::span<const Point3> points, std::span<const Triangle> triangles,
                                     const std::vector<bool>& is_added, std::span<const CrossingPair> pairs);
 
-// The numbers of the triangles of a patch that cross one of the patch or of the surface where not every patch does
-// (ContinueCrossings), rising. Precondition: patch triangles have area. O(n log n) where few extents overlap.
-std::vector<int32_t> AvoidableCrossings(std::span<const SpaceTriangle> patch, std::span<const SpaceTriangle> surface);
+// The numbers of the triangles of a patch that cross another one where not every patch does (ContinueCrossings),
+// rising.
+//   surface  of the input
+//   earlier  of other patches: added as well, so that a curve does not go on because it comes to them
+// Precondition: patch triangles have area. O(n log n) where few extents overlap.
+std::vector<int32_t> AvoidableCrossings(std::span<const SpaceTriangle> patch, std::span<const SpaceTriangle> surface,
+                                        std::span<const SpaceTriangle> earlier = {});
 
 }  // namespace tilemend
 

@@ -105,6 +105,7 @@ const std::vector<SpaceTriangle>& CrossingCheck::Surroundings(const AlignedBox3d
     const std::vector<Point3>& points = band.points;
     for (const Triangle& t : band.triangles) surroundings_.push_back({points[t[0]], points[t[1]], points[t[2]]});
   }
+  of_input_ = surroundings_.size();
   if (earlier_ != nullptr) earlier_->AppendNear(looked_at_, surroundings_);
   if (knows_crossed_) LeaveOutCrossed();
   return surroundings_;
@@ -150,9 +151,15 @@ std::vector<int32_t> CrossingCheck::CrossedAvoidably(const LocalPatch& patch) {
   const auto [triangles, box] = Place(patch);
   Surroundings(box);
   if (!knows_crossed_) LeaveOutCrossed();
-  std::vector<SpaceTriangle> surface = surroundings_;
-  surface.insert(surface.end(), through_rim_.begin(), through_rim_.end());
-  std::vector<int32_t> crossed = AvoidableCrossings(triangles, surface);
+  std::vector<SpaceTriangle> surface, earlier;
+  const auto add = [&](std::span<const SpaceTriangle> all, size_t of_input) {
+    const auto first_earlier = all.begin() + static_cast<ptrdiff_t>(of_input);
+    surface.insert(surface.end(), all.begin(), first_earlier);
+    earlier.insert(earlier.end(), first_earlier, all.end());
+  };
+  add(surroundings_, of_input_);
+  add(through_rim_, of_input_through_rim_);
+  std::vector<int32_t> crossed = AvoidableCrossings(triangles, surface, earlier);
   AddTaken(patch, crossed);
   return crossed;
 }
@@ -192,10 +199,16 @@ void CrossingCheck::LeaveOutCrossed() {
       return !has(from) && !has(to) && SegmentCrosses(from, to, t);
     });
   };
-  const auto rest =
-      std::ranges::stable_partition(surroundings_, [&](const SpaceTriangle& t) { return !passes_through_rim(t); });
-  through_rim_.assign(rest.begin(), rest.end());
-  surroundings_.erase(rest.begin(), rest.end());
+  const auto stays = [&](const SpaceTriangle& t) { return !passes_through_rim(t); };
+  const auto earlier = surroundings_.begin() + static_cast<ptrdiff_t>(of_input_);
+  const auto input_end = std::stable_partition(surroundings_.begin(), earlier, stays);
+  const auto earlier_end = std::stable_partition(earlier, surroundings_.end(), stays);
+  through_rim_.assign(input_end, earlier);
+  of_input_through_rim_ = through_rim_.size();
+  through_rim_.insert(through_rim_.end(), earlier_end, surroundings_.end());
+  of_input_ = static_cast<size_t>(input_end - surroundings_.begin());
+  surroundings_.erase(earlier_end, surroundings_.end());
+  surroundings_.erase(input_end, earlier);
 }
 
 }  // namespace tilemend

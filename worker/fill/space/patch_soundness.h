@@ -3,6 +3,7 @@
 #define TILEMEND_WORKER_FILL_SPACE_PATCH_SOUNDNESS_H_
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <span>
 #include <utility>
 #include <vector>
@@ -43,13 +44,14 @@ class CrossingCheck {
   // The numbers of the triangles that cross, rising.
   std::vector<int32_t> Crossed(const LocalPatch& patch);
   // The same, of crossings that not every patch has (AvoidableCrossings); surface that passes through the hole's
-  // boundary counts.
+  // boundary counts, and patches made before are none of the input.
   std::vector<int32_t> CrossedAvoidably(const LocalPatch& patch);
   // Neither a fault nor a crossing.
   bool IsSound(const LocalPatch& patch) { return FaultOf(hole_, patch) == FillFailure::kNone && !Crosses(patch); }
-  // The surface within reach, without what passes through the boundary.
+  // The surface within reach, without what passes through the boundary. Valid until a patch is next tested.
   std::span<const SpaceTriangle> Surface();
-  // Surface that passes through the boundary, where it was found to be crossed.
+  // Surface that passes through the boundary; empty until Surface(), Crossed() or CrossedAvoidably() is called or a
+  // patch is found to cross any. Valid until a patch is next tested.
   std::span<const SpaceTriangle> ThroughRim() const { return through_rim_; }
   // Whether any surface was found to pass through the boundary.
   bool rim_is_crossed() const { return !through_rim_.empty(); }
@@ -68,6 +70,7 @@ class CrossingCheck {
   Eigen::AlignedBox3d looked_at_;
   std::vector<SpaceTriangle> surroundings_;  // within looked_at_, without those that pass through the rim once known
   std::vector<SpaceTriangle> through_rim_;   // those
+  size_t of_input_ = 0, of_input_through_rim_ = 0;  // how many of them are no patches made before; these come first
   bool knows_crossed_ = false;
 };
 

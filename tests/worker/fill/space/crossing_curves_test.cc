@@ -8,6 +8,7 @@
 namespace tilemend {
 namespace {
 
+using ::testing::Contains;
 using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -50,6 +51,10 @@ TEST_F(CrossingCurvesTest, NamesTheTrianglesThatNeedNotCross) {
   // Now the strip's beginning and the fence's are of the surface, and cross there.
   const std::vector<SpaceTriangle> patch = {at(5), at(2), at(3)}, surface = {at(0), at(1), at(4)};
   EXPECT_THAT(AvoidableCrossings(patch, surface), IsEmpty());
+  // Where the fence's beginning is of an earlier patch, the curve comes to nothing that crossed before. Where the
+  // strip's middle is, it goes on over that.
+  EXPECT_THAT(AvoidableCrossings(patch, std::vector{at(0), at(1)}, std::vector{at(4)}), Contains(0));
+  EXPECT_THAT(AvoidableCrossings(std::vector{at(5), at(3)}, surface, std::vector{at(2)}), IsEmpty());
   const std::vector<SpaceTriangle> alone = {at(5)}, flat = {at(1), at(2)};
   EXPECT_THAT(AvoidableCrossings(alone, flat), ElementsAre(0));
 }

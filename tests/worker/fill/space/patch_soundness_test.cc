@@ -1,5 +1,6 @@
 #include "worker/fill/space/patch_soundness.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <utility>
@@ -9,6 +10,8 @@
 
 namespace tilemend {
 namespace {
+
+using ::testing::IsEmpty;
 
 // A hole of one unit square in flat ground, closed by two triangles.
 class PatchSoundnessTest : public testing::Test {
@@ -117,6 +120,23 @@ TEST_F(PatchSoundnessTest, CountsPatchesMadeBefore) {
     CrossingCheck check(hole_, ReachOf(work_, work_.holes[0]), none, &before);
     EXPECT_EQ(check.Crosses(patch_), k >= 2) << k;
   }
+}
+
+// It passes through the hole's boundary and the surface beside it. If it is of the input, every patch is crossed.
+TEST_F(PatchSoundnessTest, PatchesMadeBeforeNeedNotBeCrossed) {
+  const SpaceTriangle blade = {Point3(0.3, -6, -1), Point3(0.3, -3, -1), Point3(0.3, -4.5, 1)};
+  std::vector<SpaceTriangle> surface;
+  const std::vector<Point3>& points = work_.band.points;
+  for (const Triangle& t : work_.band.triangles) surface.push_back({points[t[0]], points[t[1]], points[t[2]]});
+  const SurfaceNear near = [&](const Point3&, const Point3&) { return surface; };
+  std::vector<HolePatch> patches = {{.new_points = {blade[0], blade[1], blade[2]}, .triangles = {{-1, -2, -3}}}};
+  EarlierPatches before(work_, patches);
+  before.TakeLast();
+  CrossingCheck after_it(hole_, ReachOf(work_, work_.holes[0]), near, &before);
+  EXPECT_THAT(after_it.CrossedAvoidably(patch_), Not(IsEmpty()));
+  surface.push_back(blade);
+  CrossingCheck with_it(hole_, ReachOf(work_, work_.holes[0]), near, {});
+  EXPECT_THAT(with_it.CrossedAvoidably(patch_), IsEmpty());
 }
 
 TEST_F(PatchSoundnessTest, KnowsHowFarAPatchMayGo) {
