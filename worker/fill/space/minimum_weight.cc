@@ -81,10 +81,11 @@ LoopTriangulation::Choice LoopTriangulation::Choose(int32_t i, int32_t k) const 
   }
   std::sort(others.begin(), others.end());
   const auto fitting = std::ranges::find_if(others, [&](const Choice& other) { return fits_(i, other.vertex, k); });
-  if (misfits_ == Misfits::kNone) return fitting != others.end() ? *fitting : Choice();
+  if (fitting != others.end()) return *fitting;
+  if (misfits_ == Misfits::kNone) return {};
   best.weight.angle = kMisfitAngle;
   best.weight.area += kMisfitArea;
-  return fitting != others.end() && !(best.weight < fitting->weight) ? *fitting : best;  // misfits may lie below it
+  return best;
 }
 
 // Takes triangle i, j, k where that is better.

@@ -30,7 +30,10 @@ std::vector<Triangle> TriangulateLoop(std::span<const Point3> loop, std::span<co
 // Whether triangles that do not fit are taken where none fits.
 enum class Misfits {
   kNone,
-  kFew,  // no more than are needed, or little more
+  // In a span where none fits: the one with which that span has the fewest. One that fits is taken before, whatever the
+  // spans beside it hold, so there may be more in all than are needed. With the fewest in all, more triangles of 16
+  // street cuts crossed each other: 140, not 126.
+  kFew,
 };
 
 // The same, to be done again with fewer triangles.
