@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "worker/fill/space/patch_crossings.h"
+
 namespace tilemend {
 namespace {
 
@@ -12,6 +14,7 @@ using ::testing::Contains;
 using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using ::testing::SizeIs;
 
 // A strip of triangles in the plane z = 0 along x, from 0 to 4, and a fence across it at y = 0.5 of two triangles.
 // Their common edge passes through triangle 2 of the strip.
@@ -52,9 +55,11 @@ TEST_F(CrossingCurvesTest, NamesTheTrianglesThatNeedNotCross) {
   const std::vector<SpaceTriangle> patch = {at(5), at(2), at(3)}, surface = {at(0), at(1), at(4)};
   EXPECT_THAT(AvoidableCrossings(patch, surface), IsEmpty());
   // Where the fence's beginning is of an earlier patch, the curve comes to nothing that crossed before. Where the
-  // strip's middle is, it goes on over that.
+  // fence's end is, it goes on along that.
   EXPECT_THAT(AvoidableCrossings(patch, std::vector{at(0), at(1)}, std::vector{at(4)}), Contains(0));
-  EXPECT_THAT(AvoidableCrossings(std::vector{at(5), at(3)}, surface, std::vector{at(2)}), IsEmpty());
+  const std::vector<SpaceTriangle> end = {at(3)}, rest = {at(0), at(1), at(2), at(4)}, fence_end = {at(5)};
+  EXPECT_THAT(CrossedTriangles(end, fence_end), SizeIs(1));
+  EXPECT_THAT(AvoidableCrossings(end, rest, fence_end), IsEmpty());
   const std::vector<SpaceTriangle> alone = {at(5)}, flat = {at(1), at(2)};
   EXPECT_THAT(AvoidableCrossings(alone, flat), ElementsAre(0));
 }
