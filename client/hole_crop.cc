@@ -49,8 +49,8 @@ class CropMesh {
     each([&](int32_t t, FaceState state) {
       const Triangle& corners = mesh.triangles[t];
       if ((sides[corners[0]] & sides[corners[1]] & sides[corners[2]]) != 0) return;
-      Face& face = faces_.emplace_back(t, state, corners);
-      for (int32_t& v : face.corners) v = NumberOf(v, mesh, number);
+      faces_.push_back({t, state, corners});
+      for (int32_t& v : faces_.back().corners) v = NumberOf(v, mesh, number);
     });
   }
 

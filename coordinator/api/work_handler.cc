@@ -158,7 +158,7 @@ void WorkHandler::Gone(const std::string& worker) {
 }
 
 absl::Status WorkHandler::Refusal(const v1::SyncRequest& request) {
-  const absl::Status other = CheckProgram(request, cluster_.options.build);
+  absl::Status other = CheckProgram(request, cluster_.options.build);
   if (other.ok()) return CheckSync(request);
   const ClusterLock lock(cluster_.mutex);
   cluster_.events.WorkerRefused(Shown(request.worker()), Shown(request.release()), other, cluster_.options.clock());

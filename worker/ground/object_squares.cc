@@ -159,8 +159,8 @@ class Openings {
         const size_t from = BeginOf(row) + begin, to = BeginOf(row) + std::min(begin + kSide, end);
         int16_t most = kNothing;
         for (size_t i = from; i < to; ++i) {
-          const bool counts = (surface_.heights[i] != kNoSurface) & (is_object_[i] == 0);
-          most = std::max(most, counts ? surface_.heights[i] : kNothing);
+          const int16_t ground = is_object_[i] == 0 ? surface_.heights[i] : kNoSurface;
+          most = std::max(most, ground == kNoSurface ? kNothing : ground);
         }
         highest[begin / kSide] = std::max(highest[begin / kSide], most);
       }

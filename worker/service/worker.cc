@@ -316,7 +316,7 @@ void Worker::AwaitTask(std::unique_lock<std::mutex>& lock) {
 
 void Worker::RunTask(Held& held) {
   absl::StatusOr<std::string> input = InputOf(held);
-  std::optional<absl::StatusOr<std::string>> output = input.ok() ? Compute(held, *input) : std::move(input);
+  std::optional<absl::StatusOr<std::string>> output = input.ok() ? Compute(held, *input) : input.status();
   std::optional<v1::FinishedTask> report;
   if (output) report = Report(held, *std::move(output));
   if (report && report->has_error() && !held.cancel.cancelled()) LogFailure(held.task, report->error());

@@ -310,7 +310,7 @@ class CellRegions {
       Follow(from, Nearest(gap.begin, line));
       Follow(to, Nearest(gap.end, line));
     }
-    if (way.size() == 1) AddLink(gap, plan_.vertices[to], hole, link_parts, way);
+    if (way.size() == 1) AddLink(gap, to, hole, link_parts, way);
     way.push_back(to);
     for (size_t i = 0; i + 1 < way.size(); ++i) region.push_back({way[i], way[i + 1], true});
   }
@@ -318,10 +318,11 @@ class CellRegions {
   // New vertices between ends of chains of two pieces, as far apart as those of the rim; at least one half-way where
   // the surface may have an edge between the two. Between ends on outlines that cross the way goes along both. The edge
   // of the area has no heights: from there they follow the hole.
+  //   end  the vertex that it leads to
   //   way  the first vertex
-  void AddLink(const OutlineGap& gap, const PlanVertex to, const PlannedHole& hole, LinkParts& link_parts,
+  void AddLink(const OutlineGap& gap, int32_t end, const PlannedHole& hole, LinkParts& link_parts,
                std::vector<int32_t>& way) {
-    const PlanVertex from = plan_.vertices[way.back()];
+    const PlanVertex from = plan_.vertices[way.back()], to = plan_.vertices[end];
     Point3 middle = (from.position + to.position) / 2;
     if (gap.from_across && gap.to_across && *gap.from_across != *gap.to_across) {
       middle[*gap.from_across] = from.position[*gap.from_across];
