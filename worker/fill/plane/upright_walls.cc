@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -20,8 +21,24 @@ constexpr double kLeastHeight = 0.125;
 // a wall from an object (coordinator/plan/overlap/wall_feet.h), and no farther than this share of its triangle.
 constexpr double kBeside = 0.02, kMostBeside = 0.25;
 
+// How far into the hole the foot of a wall lies, in steps of the lattice, so that rounding leaves it inside: a triangle
+// of a wall then faces up a little. Where tiles overlap feet lie below their vertices, where both tiles find them.
+constexpr double kLeanSteps = 4;
+
+// 1 - cos of the sharpest corner of the rim whose foot is moved, 8 degrees: there it lies 6 cm from its vertex.
+constexpr double kLeastOpen = 0.01;
+
 double Turn(const Point3& a, const Point3& b, const Point3& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+double ExtentFromAbove(const LocalHole& hole) {
+  Point2 lo = hole.positions[0].head<2>(), hi = lo;
+  for (const Point3& p : hole.positions) {
+    lo = lo.cwiseMin(p.head<2>());
+    hi = hi.cwiseMax(p.head<2>());
+  }
+  return (hi - lo).norm();
 }
 
 class WallRaiser {
@@ -34,6 +51,7 @@ class WallRaiser {
     for (Triangle& t : patch_.triangles) {
       for (int32_t& v : t) v = Lowered(v);
     }
+    if (!hole_.own_outline) LeanWalls();
     FindEdges();
     for (const RegionSegment& s : hole_.segments) AddWall(s.from, s.to);
     return std::move(foot_);
@@ -42,13 +60,13 @@ class WallRaiser {
  private:
   void LayFeet() {
     const std::vector<bool> simple = SimplePasses();
-    const double most = ExtentFromAbove();
+    const double most = ExtentFromAbove(hole_);
     for (int32_t v = 0; v < hole_.size(); ++v) {
       const double height = std::abs(hole_.positions[v].z() - ground_[v]);
       if (!hole_.on_object[v] || !simple[v] || IsShared(v) || height < LeastHeight(v) || height > most) continue;
       foot_[v] = hole_.size() + static_cast<int32_t>(patch_.new_points.size());
       Point3& foot = patch_.new_points.emplace_back(hole_.positions[v]);
-      foot.z() = StorableHeight(ground_[v]);
+      foot.z() = Storable({0, 0, RoundedToLattice(ground_[v], hole_.cell->lattice_step)}).z();
     }
   }
 
@@ -74,18 +92,56 @@ class WallRaiser {
 
   double LeastHeight(int32_t v) const { return hole_.level ? kFlatWithin : kLeastHeight * hole_.sizes[v]; }
 
-  double ExtentFromAbove() const {
-    Point2 lo = hole_.positions[0].head<2>(), hi = lo;
-    for (const Point3& p : hole_.positions) {
-      lo = lo.cwiseMin(p.head<2>());
-      hi = hi.cwiseMax(p.head<2>());
-    }
-    return (hi - lo).norm();
+  // As a file can hold it.
+  Point3 Storable(const Point3& p) const {
+    return RoundedTo(hole_.cell->float32 ? NumberType::kFloat32 : NumberType::kFloat64, p);
   }
 
-  double StorableHeight(double z) const {
-    return RoundedTo(hole_.cell->float32 ? NumberType::kFloat32 : NumberType::kFloat64,
-                     RoundedToLattice(z, hole_.cell->lattice_step));
+  // Moves feet into the hole, as far as the patch stays a height field.
+  void LeanWalls() {
+    std::vector<Point2> across(hole_.vertices.size(), Point2(0, 0));  // sum of the units across both segments
+    for (const auto& [from, to] : hole_.segments) {
+      const Point2 way = (hole_.positions[to] - hole_.positions[from]).head<2>();
+      const Point2 left = Point2(-way.y(), way.x()) / std::max(way.norm(), std::numeric_limits<double>::min());
+      across[from] += left;
+      across[to] += left;
+    }
+    for (int32_t v = 0; v < hole_.size(); ++v) {
+      const double open = across[v].squaredNorm() / 2;
+      if (foot_[v] < 0 || !(open > kLeastOpen)) continue;
+      Point3& foot = patch_.new_points[foot_[v] - hole_.size()];
+      foot.head<2>() += kLeanSteps * hole_.cell->lattice_step / open * across[v];
+      foot = Storable(RoundedToLattice(foot, hole_.cell->lattice_step));
+    }
+    while (StraightenFoldedWalls()) {
+    }
+  }
+
+  // Puts feet below their vertices where a triangle would face down. False if there were none.
+  bool StraightenFoldedWalls() {
+    bool found = false;
+    const auto look = [&](const Triangle& t, bool may_stand_upright) {
+      const double turn = Turn(At(t[0]), At(t[1]), At(t[2]));
+      if (turn > 0 || (turn == 0 && may_stand_upright)) return;
+      for (const int32_t v : t) found |= Straighten(v);
+    };
+    for (const Triangle& t : patch_.triangles) look(t, false);
+    for (const auto& [from, to] : hole_.segments) {
+      look({from, to, Lowered(to)}, true);
+      look({from, Lowered(to), Lowered(from)}, true);
+    }
+    return found;
+  }
+
+  // False if it is no foot of a wall that leans.
+  bool Straighten(int32_t foot) {
+    const auto v = std::ranges::find(foot_, foot);
+    if (foot < hole_.size() || v == foot_.end()) return false;
+    const Point2 above = hole_.positions[v - foot_.begin()].head<2>();
+    Point3& place = patch_.new_points[foot - hole_.size()];
+    if (place.head<2>() == above) return false;
+    place.head<2>() = above;
+    return true;
   }
 
   int32_t Lowered(int32_t v) const { return v < hole_.size() && foot_[v] >= 0 ? foot_[v] : v; }
@@ -133,8 +189,7 @@ class WallRaiser {
     Point3 beside = through;  // at its height, so that water stays level
     const Point2 inward = (At(apex) - through).head<2>();
     beside.head<2>() += std::min(kBeside / inward.norm(), kMostBeside) * inward;
-    beside = RoundedToLattice(beside, hole_.cell->lattice_step);
-    beside = RoundedTo(hole_.cell->float32 ? NumberType::kFloat32 : NumberType::kFloat64, beside);
+    beside = Storable(RoundedToLattice(beside, hole_.cell->lattice_step));
     const bool has_room =
         Turn(At(a), At(b), beside) > 0 && Turn(At(b), At(apex), beside) > 0 && Turn(At(apex), At(a), beside) > 0;
     if (!has_room) return false;
@@ -161,7 +216,7 @@ class WallRaiser {
   const LocalHole& hole_;
   const std::span<const double> ground_;
   LocalPatch& patch_;
-  std::vector<int32_t> foot_;  // of each vertex of the hole: the new one straight below it, else -1
+  std::vector<int32_t> foot_;  // of each vertex of the hole: the new one below it, else -1
   // The triangle of the surface at each edge, between feet, that a rim edge passes through; -1: none.
   std::map<std::pair<int32_t, int32_t>, int32_t> triangle_at_;
 };

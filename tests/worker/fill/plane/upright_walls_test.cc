@@ -52,6 +52,13 @@ class UprightWallsTest : public ::testing::Test {
     return open;
   }
 
+  // Twice, seen from above.
+  double AreaFromAbove(const Triangle& t) const {
+    std::vector<Point3> p;
+    for (const int32_t v : t) p.push_back(v < 4 ? hole_.positions[v] : patch_.new_points[v - 4]);
+    return (p[1] - p[0]).cross(p[2] - p[0]).z();
+  }
+
   CellHoles cell_;
   static CellHoles WithoutHoles() {
     CellHoles cell;
@@ -74,6 +81,33 @@ TEST_F(UprightWallsTest, StandStraightUnderObjects) {
   EXPECT_NEAR(patch_.new_points[1].z(), 1.3, cell_.lattice_step);
   EXPECT_NEAR(patch_.new_points[2].z(), 1.7, cell_.lattice_step);
   EXPECT_THAT(patch_.triangles, SizeIs(4 + 1 + 2 + 1));
+}
+
+// Where no other tile has to find the same feet.
+TEST_F(UprightWallsTest, LeanALittleSoThatTheyFaceUp) {
+  hole_.own_outline = false;
+  hole_.level = 1.25;
+  RaiseWalls(hole_, std::vector<double>(4, 1.25), patch_);
+  ASSERT_THAT(patch_.new_points, SizeIs(3));
+  for (const Triangle& t : patch_.triangles) {
+    EXPECT_GT(AreaFromAbove(t), 0) << t[0] << " " << t[1] << " " << t[2];
+  }
+  for (int32_t v = 0; v < 2; ++v) {
+    const Point3& foot = patch_.new_points[v + 1];
+    EXPECT_LT((foot - hole_.positions[v]).head<2>().norm(), 0.01);
+    EXPECT_EQ(foot.z(), 1.25);
+  }
+}
+
+// A triangle beside vertex 0 has no room for a foot inside it.
+TEST_F(UprightWallsTest, StandStraightWhereTheyWouldFold) {
+  hole_.own_outline = false;
+  hole_.level = 1.25;
+  patch_.new_points[0] = {1.0 / 1024, 4, 1.25};
+  RaiseWalls(hole_, std::vector<double>(4, 1.25), patch_);
+  EXPECT_EQ(patch_.new_points[1].head<2>(), hole_.positions[0].head<2>());
+  EXPECT_NE(patch_.new_points[2].head<2>(), hole_.positions[1].head<2>());
+  for (const Triangle& t : patch_.triangles) EXPECT_GE(AreaFromAbove(t), 0);
 }
 
 // The edge from vertex 0 to 1 is above the water at its begin and below it at its end.
