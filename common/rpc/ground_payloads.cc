@@ -12,7 +12,8 @@ namespace {
 constexpr double kFinestStep = 0x1p-6;  // metres
 constexpr double kMostSteps = 0x7ff0;   // to either side of the middle
 constexpr int kNoSurface = 0x7fff;
-constexpr double kFarthest = 0x1p60;  // metres
+constexpr double kFarthest = 0x1p60;           // metres
+constexpr int64_t kMostSquaresOfVertex = 256;  // around holes: three times what a circle of kSurroundingsReach has
 
 absl::Status Malformed() { return absl::InvalidArgumentError("malformed payload: ground raster"); }
 
@@ -65,6 +66,39 @@ absl::StatusOr<GroundRaster> FromProto(const v1::GroundRasterBlob& proto) {
     if (steps != kNoSurface) raster.heights[i] = static_cast<float>(proto.middle() + steps * proto.step());
   }
   return raster;
+}
+
+v1::GroundOutput ToProto(const RimGround& rim) {
+  v1::GroundOutput proto;
+  proto.mutable_on_object()->Add(rim.on_object.begin(), rim.on_object.end());
+  proto.mutable_ground()->Add(rim.ground.begin(), rim.ground.end());
+  proto.set_side(rim.side);
+  for (const GroundSquare& square : rim.around) {
+    proto.add_around_col(square.col);
+    proto.add_around_row(square.row);
+    proto.add_around_height(square.height);
+  }
+  return proto;
+}
+
+absl::StatusOr<RimGround> FromProto(const v1::GroundOutput& proto, int vertices) {
+  if (proto.on_object_size() != vertices || proto.ground_size() != vertices) {
+    return absl::InvalidArgumentError("not a value for each boundary vertex");
+  }
+  const int squares = proto.around_height_size();
+  const bool has_columns = proto.around_col_size() == squares && proto.around_row_size() == squares;
+  if (!has_columns || squares > kMostSquaresOfVertex * int64_t{vertices} || !std::isfinite(proto.side())) {
+    return absl::InvalidArgumentError("malformed payload: squares with ground");
+  }
+  RimGround rim{{proto.on_object().begin(), proto.on_object().end()},
+                {proto.ground().begin(), proto.ground().end()},
+                proto.side()};
+  for (int i = 0; i < squares; ++i) {
+    const GroundSquare square{proto.around_col(i), proto.around_row(i), proto.around_height(i)};
+    if (!std::isfinite(square.height)) return absl::InvalidArgumentError("a height around a hole that is no number");
+    rim.around.push_back(square);
+  }
+  return rim;
 }
 
 }  // namespace tilemend

@@ -13,6 +13,7 @@
 #include "common/mesh/height_tallies.h"
 #include "common/records/patch_heights.h"
 #include "common/rpc/clear_payloads.h"
+#include "common/rpc/ground_payloads.h"
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/stage_payloads.h"
 #include "common/rpc/surface_payloads.h"
@@ -192,9 +193,7 @@ absl::Status CheckOutput(const std::string& input_bytes, const v1::SurveyOutput&
 
 absl::Status CheckOutput(const std::string& input_bytes, const v1::GroundOutput& output, TileReading&) {
   TILEMEND_ASSIGN_OR_RETURN(const auto input, ParseResult<v1::GroundInput>(input_bytes));
-  const int n = input.position_size() / 3;
-  if (output.on_object_size() == n && output.ground_size() == n) return absl::OkStatus();
-  return Wrong("not a value for each boundary vertex");
+  return AsWrong(FromProto(output, input.position_size() / 3).status());
 }
 
 absl::Status CheckOutput(const std::string& input_bytes, const v1::SampleClusterOutput& output, TileReading&) {

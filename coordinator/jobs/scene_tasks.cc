@@ -10,6 +10,7 @@
 #include "common/records/ground_raster.h"
 #include "common/records/patch_heights.h"
 #include "common/rpc/clear_payloads.h"
+#include "common/rpc/ground_payloads.h"
 #include "common/rpc/level_payloads.h"
 #include "common/rpc/look_payloads.h"
 #include "common/rpc/smoothed_payloads.h"
@@ -379,9 +380,8 @@ absl::Status SceneTasks::TakeOutput(CellId cell, const v1::MeasureOutput& output
 }
 
 absl::Status SceneTasks::TakeOutput(CellId cell, const v1::GroundOutput& output) {
-  return waves_.Take(CellGround{
-      cell,
-      {{output.on_object().begin(), output.on_object().end()}, {output.ground().begin(), output.ground().end()}}});
+  TILEMEND_ASSIGN_OR_RETURN(RimGround rim, FromProto(output, output.ground_size()));
+  return waves_.Take(CellGround{cell, std::move(rim)});
 }
 
 absl::Status SceneTasks::TakeOutput(CellId cell, const v1::SampleLayerOutput& output) {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "worker/ground/join_rasters.h"
+#include "worker/ground/surroundings.h"
 
 namespace tilemend {
 namespace {
@@ -44,11 +45,17 @@ RimGround GroundAtRim(std::span<const Point3> vertices, std::span<const GroundRa
   for (const GroundRaster& r : rasters) LowerTo(r, lowest);
   if (lowest.empty()) return result;
   SquareBlocks asked(lowest.cols, lowest.rows);
+  Surroundings surroundings(lowest);
   for (const Point3& v : vertices) {
     const int32_t col = SquareAt(v.x(), square), row = SquareAt(v.y(), square);
-    if (lowest.Contains(col, row)) asked.Add(col - lowest.col, row - lowest.row);
+    if (!lowest.Contains(col, row)) continue;
+    asked.Add(col - lowest.col, row - lowest.row);
+    surroundings.AddRim(col, row);
   }
+  surroundings.ForEach([&](int32_t col, int32_t row) { asked.Add(col - lowest.col, row - lowest.row); });
   const FilteredGround filtered(lowest, options, asked);
+  result.side = kSquaresAlongSide * square;
+  result.around = surroundings.GroundIn(filtered);
   for (size_t v = 0; v < vertices.size(); ++v) {
     const int32_t col = SquareAt(vertices[v].x(), square), row = SquareAt(vertices[v].y(), square);
     if (!lowest.Contains(col, row) || std::isnan(lowest.heights[lowest.IndexOf(col, row)])) continue;

@@ -1,4 +1,4 @@
-// Ground and objects at the boundary vertices of a tile.
+// Ground and objects at the boundary vertices of a tile, and the ground around its holes.
 #ifndef TILEMEND_WORKER_GROUND_RIM_OBJECTS_H_
 #define TILEMEND_WORKER_GROUND_RIM_OBJECTS_H_
 
@@ -15,6 +15,9 @@ namespace tilemend {
 // higher above the ground of their square, or lower below it, than its tolerance (FilteredGround). Those in whose
 // square nothing is known of the ground also count. A vertex whose square has no surface stands on none. The ground is
 // that of the square, where it has some or lies between squares that do.
+//
+// The ground around holes is told in squares of kSquaresAlongSide squares. Holes are squares without surface, in the
+// extent of all rasters, at most two from a vertex.
 //
 //   rasters  of the tile and of all within FilterReach of the vertices, with squares of one size; where they
 //            overlap the lowest counts

@@ -74,11 +74,7 @@ absl::StatusOr<std::string> RunGround(const v1::GroundInput& input, TaskMemory& 
       return absl::InvalidArgumentError("malformed payload: ground rasters of several sizes of squares");
     }
   }
-  const RimGround rim = GroundAtRim(vertices, rasters);
-  v1::GroundOutput output;
-  output.mutable_on_object()->Add(rim.on_object.begin(), rim.on_object.end());
-  output.mutable_ground()->Add(rim.ground.begin(), rim.ground.end());
-  return output.SerializeAsString();
+  return ToProto(GroundAtRim(vertices, rasters)).SerializeAsString();
 }
 
 absl::StatusOr<FillOptions> OptionsOf(const v1::JobSpec& sent, const CancelToken& cancel) {

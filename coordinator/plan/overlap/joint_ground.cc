@@ -68,6 +68,8 @@ std::map<CellId, RimGround> JointGround(const JointTiles& joint, const std::map<
     const SurveyRecord& own = *joint.own.at(cell);
     const auto& through = joint.edges_through.at(cell);
     RimGround& rim = result[cell];
+    rim.side = known->second.side;
+    rim.around = known->second.around;
     for (size_t v = 0; v < record.vertices.size(); ++v) {
       const bool is_new = v >= own.vertices.size();
       const VertexGround value =

@@ -10,11 +10,11 @@
 namespace tilemend {
 namespace {
 
-constexpr double kNearest = 4;    // metres: the first rows of triangles lie on the shore, which rises slowly
-constexpr double kFarthest = 15;  // metres: half the width of a street
+constexpr double kNearest = 4;  // metres: the first rows of triangles lie on the shore, which rises slowly
 constexpr double kNearestEdges = 1.5, kFarthestEdges = 3;  // mean edges, if that is more
-constexpr double kSquareShare = 0.1;                       // of kFarthest: side of the squares that count
-constexpr double kSteepest = 0.1;                          // rise / run; what is higher at kFarthest is an object
+constexpr double kSquareShare = 0.1;                       // of the reach: side of the squares that count
+constexpr double kFreeboard = 0.15;                        // metres that ground stands above water, at least
+constexpr double kSteepest = 0.1;                          // rise / run; what is higher at the reach is an object
 constexpr double kLeastOfAll = 0.05;                       // of all squares; fewer are a jetty or a spike
 constexpr int64_t kMinSquares = 10;
 
@@ -23,7 +23,7 @@ class ShoreIndex {
  public:
   explicit ShoreIndex(const Shore& shore) : most_above_(kSigmas * std::max(shore.noise, kMinSigma)) {
     nearest_ = std::max(kNearest, kNearestEdges * shore.mean_edge);
-    reach_ = std::max(kFarthest, kFarthestEdges * shore.mean_edge);
+    reach_ = std::max(kSurroundingsReach, kFarthestEdges * shore.mean_edge);
     for (const Point3& p : shore.edges) {
       squares_[SquareOf(p, reach_)].push_back(p);
       box_.extend(p.head<2>());
@@ -34,21 +34,25 @@ class ShoreIndex {
 
   const Eigen::AlignedBox2d& box() const { return box_; }
 
-  void Add(const Point3& p) {
+  // A place with surface, on ground as far as that is told.
+  void Add(const Point3& p, bool is_ground) {
     if (!box_.contains(p.head<2>())) return;
     const auto [distance, level] = NearestEdge(p);
     if (distance < nearest_ || distance > reach_ || std::isnan(level)) return;
-    const double above = p.z() - level;
-    const auto [square, fresh] = lowest_.try_emplace(SquareOf(p, kSquareShare * reach_), above);
-    if (!fresh) square->second = std::min(square->second, above);
+    Lowest& square = lowest_[SquareOf(p, kSquareShare * reach_)];
+    square.above = std::min(square.above, p.z() - level);
+    square.is_ground = square.is_ground || is_ground;
   }
 
   double LowerShare() const {
-    const auto count_below = [&](double height) {
-      return std::ranges::count_if(lowest_, [&](const auto& square) { return square.second <= height; });
+    const double most = std::max(most_above_, kSteepest * reach_);
+    const auto is_lower = [&](const auto& square) {
+      const double freeboard = square.second.is_ground ? kFreeboard : 0;
+      return square.second.above <= std::max(most_above_, freeboard);
     };
-    const auto lower = static_cast<double>(count_below(most_above_));
-    const auto low = count_below(std::max(most_above_, kSteepest * reach_));
+    const auto is_low = [&](const auto& square) { return square.second.is_ground || square.second.above <= most; };
+    const auto lower = static_cast<double>(std::ranges::count_if(lowest_, is_lower));
+    const auto low = std::ranges::count_if(lowest_, is_low);
     const bool is_known = low >= kMinSquares && lower > kLeastOfAll * static_cast<double>(lowest_.size());
     return is_known ? lower / static_cast<double>(low) : 0;
   }
@@ -77,10 +81,15 @@ class ShoreIndex {
     return {std::sqrt(nearest.first), nearest.second};
   }
 
+  struct Lowest {
+    double above = std::numeric_limits<double>::infinity();  // metres above the water, of the surface in the square
+    bool is_ground = false;
+  };
+
   double most_above_, nearest_ = 0, reach_ = 0;  // metres
   std::map<Square, std::vector<Point3>> squares_;
   Eigen::AlignedBox2d box_;
-  std::map<Square, double> lowest_;  // metres above the water, of the surface in the square
+  std::map<Square, Lowest> lowest_;
 };
 
 }  // namespace
@@ -88,7 +97,7 @@ class ShoreIndex {
 std::vector<double> LowerShares(const Plan& plan, const PlanInput& input, std::span<const Shore> shores) {
   std::vector<ShoreIndex> indices(shores.begin(), shores.end());
   for (const auto& [cell, record] : input.cells) {
-    if (record == nullptr || record->vertex_count == 0) continue;
+    if (record == nullptr || record->vertex_count == 0 || input.rim_ground.contains(cell)) continue;
     const Eigen::AlignedBox2d tile(record->lo.head<2>(), record->hi.head<2>());
     const auto meets = [&](const ShoreIndex& shore) { return shore.box().intersects(tile); };
     if (std::ranges::none_of(indices, meets)) continue;
@@ -98,8 +107,14 @@ std::vector<double> LowerShares(const Plan& plan, const PlanInput& input, std::s
       if (!meets(shore)) continue;
       for (size_t i = 0; i < band->band.points.size(); ++i) {
         const bool is_on_rim = i < plan_vertex.size() && plan_vertex[i] >= 0;
-        if (!is_on_rim) shore.Add(band->band.points[i]);
+        if (!is_on_rim) shore.Add(band->band.points[i], false);
       }
+    }
+  }
+  for (const auto& [cell, rim] : input.rim_ground) {
+    for (const GroundSquare& square : rim.around) {
+      const Point3 middle((square.col + 0.5) * rim.side, (square.row + 0.5) * rim.side, square.height);
+      for (ShoreIndex& shore : indices) shore.Add(middle, true);
     }
   }
   std::vector<double> shares;

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <utility>
 
@@ -81,13 +82,14 @@ Eigen::AlignedBox2d SurroundingsOf(const std::vector<PlaneSegment>& outline, dou
   return box;
 }
 
-Shore ShoreOf(const Basin& basin) {
+// Of a rim, or a part of that of `basin`.
+Shore ShoreOf(const Basin& basin, const std::vector<RimChain>& rim) {
   Shore shore;
   const LevelEvidence& e = basin.river ? basin.river->evidence : basin.evidence;
   const double above = std::max(e.noise, kMinSigma);
   shore.noise = e.noise;
   shore.mean_edge = e.length / static_cast<double>(e.edges);
-  for (const RimChain& chain : basin.rim) {
+  for (const RimChain& chain : rim) {
     for (const ChainEdge& edge : chain) {
       const Point2 at = edge.middle.head<2>();
       const double level = basin.river ? LevelAt(basin.river->water, at, 0x1p-20) : e.level;
@@ -100,8 +102,34 @@ Shore ShoreOf(const Basin& basin) {
 
 std::vector<double> LowerSharesOf(const std::vector<Basin>& basins, const Plan& plan, const PlanInput& input) {
   std::vector<Shore> shores;
-  for (const Basin& basin : basins) shores.push_back(basin.is_level() ? ShoreOf(basin) : Shore());
+  for (const Basin& basin : basins) shores.push_back(basin.is_level() ? ShoreOf(basin, basin.rim) : Shore());
   return LowerShares(plan, input, shores);
+}
+
+// Of each water that was joined from several of `basins` the one around which most surface is lower than this water, if
+// that is more than around water. Their numbers, ascending.
+std::vector<size_t> NoParts(const std::vector<Basin>& basins, const std::vector<Basin>& joined, const Plan& plan,
+                            const PlanInput& input) {
+  std::vector<size_t> whole_of;
+  std::vector<Shore> shores;
+  for (const Basin& part : basins) {
+    const auto has_it = [&](const Basin& whole) { return std::ranges::binary_search(whole.members, part.members[0]); };
+    const auto whole = std::ranges::find_if(joined, has_it);
+    whole_of.push_back(static_cast<size_t>(whole - joined.begin()));
+    const bool is_part = whole->members.size() > 1 && whole->is_level();
+    shores.push_back(is_part ? ShoreOf(*whole, part.rim) : Shore());
+  }
+  const std::vector<double> lower = LowerShares(plan, input, shores);
+  std::map<size_t, size_t> worst;  // by the whole
+  for (size_t b = 0; b < basins.size(); ++b) {
+    if (lower[b] <= kMaxLowerShare) continue;
+    const auto [it, fresh] = worst.try_emplace(whole_of[b], b);
+    if (!fresh && lower[b] > lower[it->second]) it->second = b;
+  }
+  std::vector<size_t> numbers;
+  for (const auto& [whole, b] : worst) numbers.push_back(b);
+  std::ranges::sort(numbers);
+  return numbers;
 }
 
 // What stands so high above the water stands beside or over it: a quay, a pier, a bridge.
@@ -228,17 +256,26 @@ class WaterFinder {
       if (std::ranges::any_of(level, meets)) AddBasin(g, basins);
     }
     if (index_.cancelled()) return;
-    // What is level and has lower surface around it, as a yard behind a dyke, joins no water.
-    const std::vector<double> alone = LowerSharesOf(basins, plan_, input_);
-    std::vector<Basin> apart, others;
-    for (size_t b = 0; b < basins.size(); ++b) {
-      const bool is_apart = basins[b].is_level() && alone[b] > kMaxLowerShare;
-      (is_apart ? apart : others).push_back(std::move(basins[b]));
-    }
-    basins = JoinBasins(std::move(others), options_.profile.least_river);
-    std::ranges::move(apart, std::back_inserter(basins));
+    basins = JoinWater(std::move(basins));
     const std::vector<double> lower = LowerSharesOf(basins, plan_, input_);
     for (size_t b = 0; b < basins.size(); ++b) Decide(basins[b], lower[b]);
+  }
+
+  // What has surface around it that is lower than the water, as a yard behind a dyke, joins none.
+  std::vector<Basin> JoinWater(std::vector<Basin> basins) const {
+    std::vector<Basin> apart;
+    while (true) {
+      std::vector<Basin> joined = JoinBasins(basins, options_.profile.least_river);
+      const std::vector<size_t> no_parts = NoParts(basins, joined, plan_, input_);
+      if (no_parts.empty() || index_.cancelled()) {
+        std::ranges::move(apart, std::back_inserter(joined));
+        return joined;
+      }
+      for (const size_t b : no_parts | std::views::reverse) {
+        apart.push_back(std::move(basins[b]));
+        basins.erase(basins.begin() + static_cast<std::ptrdiff_t>(b));
+      }
+    }
   }
 
   void AddBasin(size_t g, std::vector<Basin>& basins) {

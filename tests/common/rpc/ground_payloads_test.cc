@@ -54,5 +54,35 @@ TEST(GroundPayloadsTest, OneThatNobodyMadeIsRefused) {
   }
 }
 
+RimGround Rim() { return {{true, false}, {3.5F, -1}, 3, {{-4, 7, 2.25F}, {5, 8, 2}}}; }
+
+TEST(GroundPayloadsTest, RimsComeBack) {
+  const auto rim = FromProto(ToProto(Rim()), 2);
+  ASSERT_TRUE(rim.ok()) << rim.status();
+  EXPECT_EQ(rim->on_object, Rim().on_object);
+  EXPECT_EQ(rim->ground, Rim().ground);
+  EXPECT_EQ(rim->side, 3);
+  EXPECT_EQ(rim->around, Rim().around);
+}
+
+TEST(GroundPayloadsTest, ARimThatNobodyMadeIsRefused) {
+  const std::function<void(v1::GroundOutput&)> faults[] = {[](auto& p) { p.add_ground(1); },
+                                                           [](auto& p) { p.clear_on_object(); },
+                                                           [](auto& p) { p.add_around_col(1); },
+                                                           [](auto& p) { p.mutable_around_row()->RemoveLast(); },
+                                                           [](auto& p) { p.set_side(INFINITY); },
+                                                           [](auto& p) { p.set_around_height(1, std::nanf("")); },
+                                                           [](auto& p) {
+                                                             for (int i = 0; i < 512; ++i)
+                                                               p.add_around_col(1), p.add_around_row(1),
+                                                                   p.add_around_height(1);
+                                                           }};
+  for (const auto& fault : faults) {
+    v1::GroundOutput proto = ToProto(Rim());
+    fault(proto);
+    EXPECT_TRUE(absl::IsInvalidArgument(FromProto(proto, 2).status())) << proto.ShortDebugString().substr(0, 80);
+  }
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -74,6 +74,25 @@ TEST(LowerSharesTest, SurfaceBehindQuaysDoesNotCount) {
   EXPECT_LT(LowerShares(Plan(), scene.Input(), std::vector<Shore>{shore})[0], 0.25);
 }
 
+// Lidar has a vertex in each square metre: bands of two rings of triangles tell of no street behind a house.
+TEST(LowerSharesTest, GroundBeyondTheBandsCounts) {
+  Shore shore;
+  shore.mean_edge = 1;
+  for (double k = 0.5; k < 10; ++k) shore.edges.emplace_back(k, 0, 5);
+  PlanInput input;
+  RimGround& rim = input.rim_ground[{0, 0}];
+  rim.side = 3;
+  for (int32_t col = 0; col < 4; ++col) {
+    rim.around.push_back({col, -3, 5.02F});
+    rim.around.push_back({col, 0, 5});  // at the shore
+    rim.around.push_back({col, 2, 4.9F});
+    rim.around.push_back({col, 3, 8});
+  }
+  EXPECT_NEAR(LowerShares(Plan(), input, std::vector<Shore>{shore})[0], 2.0 / 3, 1e-9) << "8 of 12";
+  for (GroundSquare& square : rim.around) square.height += 0.4F;
+  EXPECT_NEAR(LowerShares(Plan(), input, std::vector<Shore>{shore})[0], 0, 1e-9);
+}
+
 TEST(LowerSharesTest, WithoutSurfaceAroundNothingIsKnown) {
   Shore shore;
   shore.mean_edge = 1;
