@@ -92,6 +92,11 @@ SOURCES = (  # paper; section or equation; step; files
     ('Pingel 2013', 'SMRF', 'ground filter', 'worker/ground/ground_filter.h'))
 
 
-def sources_table():
-    rows = [[f'{paper}, {part}', step, ', '.join(f'[{path.rsplit("/", 1)[1]}](../{path})' for path in paths.split())] for paper, part, step, paths in SOURCES]
-    return '\n'.join(['| section, equation | step | source |', '|---|---|---|', *('| ' + ' | '.join(row) + ' |' for row in rows)])
+def sources_list():
+    """An item for each paper, with an item for each section or equation: step, files."""
+    items = {}
+    for paper, part, step, paths in SOURCES:
+        files = ', '.join(f'[{path.rsplit("/", 1)[1]}](../{path})' for path in paths.split())
+        items.setdefault(paper, []).append(f'{part}: {step}, {files}')
+    return '\n'.join(f'- **{paper}** {parts[0]}' if len(parts) == 1 else f'- **{paper}**\n' + '\n'.join(f'  - {part}' for part in parts)
+                     for paper, parts in items.items())

@@ -36,9 +36,8 @@ PARTS = {'tables': ('Wang 2021, tables 1 to 5: holes by type', papers_wang.part_
          'curvature': ('The repair by curvature', papers_fillers.part_curvature, False),
          'zhang': ('Zhang 2022, table 2: kinds of holes', papers_fillers.part_zhang, False),
          'fillers': ('All fillers on the same holes', papers_fillers.part_fillers, False)}
-HEAD = ('# The papers\' experiments again\n\nWhere the papers are implemented, and their experiments on made stand-ins for their data. `scripts/reproduce.sh` measures and '
-        'writes this page. Choices where the papers say nothing: '
-        '[Wang](decisions/2026-11-22-wang-as-printed.md), [fillers](decisions/2026-11-22-published-fillers.md).\n\n## Equations in the code\n\n')
+HEAD = ('# The papers\' experiments again\n\nExperiments of the papers on made stand-ins for their data; `scripts/reproduce.sh` measures and writes this page. '
+        '[Choices where the papers say nothing](decisions/2026-11-22-published-fillers.md).\n\n## Equations in the code\n\n')
 VERDICTS = '\n\n## Experiments\n\n| printed | stand-in | verdict | ours |\n|---|---|---|---|\n'
 EPILOGUE = ('Examples:\n'
             '  scripts/reproduce.sh                        everything, an hour or more, 12 GB of disk and 4 GB of memory\n'
@@ -53,7 +52,7 @@ def page_text(sections):
     """`sections`: name -> lines of the table of verdicts (measure.verdict), text."""
     present = [(name, *sections[name]) for name in PARTS if name in sections]
     rows = [f'| [{printed}](#{anchor(text)}) | {rest} |' for _, lines, text in present for printed, rest in (line.split(' | ', 1) for line in lines.splitlines())]
-    return HEAD + papers_short.sources_table() + VERDICTS + '\n'.join(rows) + '\n\n' + '\n\n'.join(f'<!-- {name} -->\n{text}' for name, _, text in present) + '\n'
+    return HEAD + papers_short.sources_list() + VERDICTS + '\n'.join(rows) + '\n\n' + '\n\n'.join(f'<!-- {name} -->\n{text}' for name, _, text in present) + '\n'
 
 
 def anchor(section):

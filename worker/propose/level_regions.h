@@ -10,7 +10,7 @@
 namespace tilemend {
 
 // Chosen on two levels of detail of a photogrammetric city (a canal, a pond) and a wooded river bank of lidar. Tested
-// on five further sites without water (docs/decisions/2026-11-26-water-proposals.md).
+// on five further sites without water (docs/decisions/2026-11-26-clear-polygons.md).
 struct LevelRegionOptions {
   double bank = 0.5;          // metres: how far the shore rises at least, and the heights of water scatter at most
   double growth = 1.35;       // how much larger the region may be at `bank` above its own level
