@@ -80,11 +80,10 @@ def page(text):
     tables = {title: rows_of(section) for title, section in zip(titles, sections)}
     parts = [HEAD]
     for title, section in zip(titles, sections):
+        section = re.sub(r'\n```sh\n.*?```\n', '', section, flags=re.DOTALL)  # `--help` and the user guide have examples
         if tables[title]:
             table = re.search(r'^\|.*\|\n(?:\|.*\|\n)+', section, re.MULTILINE).group(0)
             section = section.replace(table, shortened(title, tables[title], tables).strip('\n') + '\n')
-        else:  # the flags of another command; the usage says all that its examples would
-            section = re.sub(r'\n```sh\n.*?```\n', '', section, flags=re.DOTALL)
         parts.append(section.strip('\n') + '\n')
     return '\n'.join(parts)
 

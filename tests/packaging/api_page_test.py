@@ -27,6 +27,12 @@ def rows(page, first):
     return [[cell.strip() for cell in line.strip('|').split('|')] for line in lines]
 
 
+def error_items(page):
+    """{reason: (code, facts, what is said)} of the items under "Errors"."""
+    found = re.findall(r'^- `([A-Z_]+)` \(([A-Z_]+)(?:; ([^)]*))?\): (.+)$', page, re.M)
+    return {reason: (code, facts, what) for reason, code, facts, what in found}
+
+
 def quoted(text):
     return re.findall(r'`([^`]+)`', text)
 
@@ -73,17 +79,17 @@ def main():
         check(what, f'{call}: nothing is said of it')
         check(set(quoted(errors)) <= set(known), f'{call}: {set(quoted(errors)) - set(known)}')
         check(calls[call] <= set(quoted(errors)), f'{call}: the protocol has {calls[call] - set(quoted(errors))} as well')
-    errors = {quoted(row[0])[0]: row for row in rows(page, 'reason')}
+    errors = error_items(page)
     check(set(errors) == set(known), f'reasons: {set(errors) ^ set(known)}')
     for reason in set(errors) & set(known):
-        _, code, facts, what = errors[reason]
+        code, facts, what = errors[reason]
         codes, attached = known[reason]
         check({code} == codes, f'{reason}: code {code}, not {codes}')
         check(set(facts.split(', ')) - {''} == attached, f'{reason}: facts {facts}, not {attached}')
         check(what, f'{reason}: nothing is said of it')
     comment = read('proto/tilemend/v1/error_info.proto')
     in_proto = set(re.findall(r'^//   ([A-Z_]+) ', comment, re.M))
-    local = {r for r, row in errors.items() if row[3].startswith('of the program')}
+    local = {r for r, (_, _, what) in errors.items() if what.startswith('of the program')}
     check(in_proto == set(known) - local, f'error_info.proto: {in_proto ^ (set(known) - local)}')
     if faults:
         sys.exit('FAILED\n' + '\n'.join(faults))
