@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the table of docs/constants.md against the sources: each constant has the value there that the page gives.
+"""Holds the lists of docs/constants.md against the sources: each constant has the value there that the page gives.
 
     constants_test.py ROOT
 """
@@ -7,7 +7,18 @@ import os
 import re
 import sys
 
-ROW = re.compile(r'^\| `(\w+)` \| ([0-9.]+) \| (\S+) \|')
+FILE = re.compile(r'^`(\S+)`$')
+ITEM = re.compile(r'^- `(\w+)` ([0-9.]+):')
+
+
+def rows_of(page):
+    """(name, value, path) of each item; the path stands above the list."""
+    path = None
+    for line in page.splitlines():
+        file, item = FILE.match(line), ITEM.match(line)
+        path = file.group(1) if file else path
+        if item:
+            yield (*item.groups(), path)
 
 
 def value_in(source, name):
@@ -19,8 +30,8 @@ def value_in(source, name):
 def main():
     root = sys.argv[1]
     page = open(os.path.join(root, 'docs/constants.md'), encoding='utf-8').read()
-    rows = [match.groups() for match in map(ROW.match, page.splitlines()) if match]
-    faults = [] if len(rows) >= 30 else ['docs/constants.md has lost its table']
+    rows = list(rows_of(page))
+    faults = [] if len(rows) >= 30 else ['docs/constants.md has lost its lists']
     for name, value, path in rows:
         full = os.path.join(root, path)
         found = value_in(open(full, encoding='utf-8').read(), name) if os.path.exists(full) else None
