@@ -64,39 +64,38 @@ def printed_steps(table):
 
 
 WANG, FRONT, HOLE, SEAM = 'worker/papers/wang', 'worker/papers/front', 'coordinator/plan/hole', 'coordinator/plan/seam'
-SOURCES = (  # paper; section or equation; step; files
-    ('Wang 2021', '2.1 (Han 2019)', 'join all tiles, then fill', 'client/aggregate.h'),
-    ('Wang 2021', '3.1', 'boundary edges', 'worker/survey/survey.h'),
-    ('Wang 2021', '3.1, figure 5', 'types of holes', f'{HOLE}/hole_types.h'),
-    ('Wang 2021', '3.2', 'clusters, layers', f'{HOLE}/layers.h'),
-    ('Wang 2021', '3.3, figure 7', 'topological closure', f'{SEAM}/seam_layout.h {WANG}/closure_buffers.h'),
-    ('Wang 2021', '3.3, figure 8', 'height projection', f'{SEAM}/projected_places.h worker/fill/seam/sample_heights.h'),
-    ('Wang 2021', 'eq. 1', 'adjustment', f'{WANG}/adjust_patch.h'),
-    ('Wang 2021', 'eq. 2 to 4', 'umbrella operator, weights, fairing', f'{WANG}/fair_patch.h'),
-    ('Wang 2021', 'eq. 5, 6', 'smoothing of seams', 'worker/fill/seam/smooth_seam.h'),
-    ('Liepa 2003', '3', 'least area, least dihedral angle', f'{WANG}/minimum_area.h worker/fill/space/minimum_weight.h'),
-    ('Liepa 2003', '4', 'refinement', 'worker/fill/shape/refine_patch.h'),
-    ('Sun 2012', 'eq. 1', 'normals of the front', f'{FRONT}/advancing_front.h'),
-    ('Sun 2012', 'eq. 2, 4 to 6', 'angles, normal curvature, new vertices', f'{FRONT}/front_rules.h'),
-    ('Taubin 1995', 'eq. 3', 'curvature of the steady front', f'{FRONT}/front_rules.h'),
-    ('Zhao 2007', 'Xu 2014, 2.3', 'Poisson equation', f'{FRONT}/poisson_patch.h'),
-    ('Xu 2014', '3.1', 'long edges of the rim', f'{FRONT}/split_rim.h'),
-    ('Xu 2014', '3.2', 'advancing front', f'{FRONT}/advancing_front.h {FRONT}/front_sight.h'),
-    ('Xu 2014', '3.3; eq. 1, 2, 4', 'samples, Laplacians', f'{FRONT}/surface_rings.h'),
-    ('Xu 2014', 'eq. 3', 'cotangent weights', f'{FRONT}/cotangent_system.h'),
-    ('Xu 2014', 'eq. 11, 14, 15', 'support vector machine', f'{FRONT}/least_squares_svm.h'),
-    ('Xu 2014', '3.4; eq. 9 to 15, 18, 19', 'new points', f'{FRONT}/svm_patch.h'),
-    ('repair by curvature', '4', 'refinement', f'{FRONT}/curvature_patch.h'),
-    ('Zhang 2022', '3.2', 'continuous holes', 'coordinator/plan/mesh/mesh_loops.h'),
-    ('Zhang 2022', '4.1', 'kinds of single holes', f'coordinator/plan/mesh/loop_kinds.h {HOLE}/hole_types.h'),
-    ('Pingel 2013', 'SMRF', 'ground filter', 'worker/ground/ground_filter.h'))
+SOURCES = (  # paper; section or equation; files
+    ('Wang 2021', '2.1 (Han 2019)', 'client/aggregate.h'),
+    ('Wang 2021', '3.1', 'worker/survey/survey.h'),
+    ('Wang 2021', '3.1, figure 5', f'{HOLE}/hole_types.h'),
+    ('Wang 2021', '3.2', f'{HOLE}/layers.h'),
+    ('Wang 2021', '3.3, figure 7', f'{SEAM}/seam_layout.h {WANG}/closure_buffers.h'),
+    ('Wang 2021', '3.3, figure 8', f'{SEAM}/projected_places.h worker/fill/seam/sample_heights.h'),
+    ('Wang 2021', 'eq. 1', f'{WANG}/adjust_patch.h'),
+    ('Wang 2021', 'eq. 2 to 4', f'{WANG}/fair_patch.h'),
+    ('Wang 2021', 'eq. 5, 6', 'worker/fill/seam/smooth_seam.h'),
+    ('Liepa 2003', '3', f'{WANG}/minimum_area.h worker/fill/space/minimum_weight.h'),
+    ('Liepa 2003', '4', 'worker/fill/shape/refine_patch.h'),
+    ('Sun 2012', 'eq. 1', f'{FRONT}/advancing_front.h'),
+    ('Sun 2012', 'eq. 2, 4 to 6', f'{FRONT}/front_rules.h'),
+    ('Taubin 1995', 'eq. 3', f'{FRONT}/front_rules.h'),
+    ('Zhao 2007', 'Xu 2014, 2.3', f'{FRONT}/poisson_patch.h'),
+    ('Xu 2014', '3.1', f'{FRONT}/split_rim.h'),
+    ('Xu 2014', '3.2', f'{FRONT}/advancing_front.h {FRONT}/front_sight.h'),
+    ('Xu 2014', '3.3; eq. 1, 2, 4', f'{FRONT}/surface_rings.h'),
+    ('Xu 2014', 'eq. 3', f'{FRONT}/cotangent_system.h'),
+    ('Xu 2014', 'eq. 11, 14, 15', f'{FRONT}/least_squares_svm.h'),
+    ('Xu 2014', '3.4; eq. 9 to 15, 18, 19', f'{FRONT}/svm_patch.h'),
+    ('repair by curvature', '4', f'{FRONT}/curvature_patch.h'),
+    ('Zhang 2022', '3.2', 'coordinator/plan/mesh/mesh_loops.h'),
+    ('Zhang 2022', '4.1', f'coordinator/plan/mesh/loop_kinds.h {HOLE}/hole_types.h'),
+    ('Pingel 2013', 'SMRF', 'worker/ground/ground_filter.h'))
 
 
 def sources_list():
-    """An item for each paper, with an item for each section or equation: step, files."""
+    """An item for each paper: sections or equations, and their files."""
     items = {}
-    for paper, part, step, paths in SOURCES:
+    for paper, part, paths in SOURCES:
         files = ', '.join(f'[{path.rsplit("/", 1)[1]}](../{path})' for path in paths.split())
-        items.setdefault(paper, []).append(f'{part}: {step}, {files}')
-    return '\n'.join(f'- **{paper}** {parts[0]}' if len(parts) == 1 else f'- **{paper}**\n' + '\n'.join(f'  - {part}' for part in parts)
-                     for paper, parts in items.items())
+        items.setdefault(paper, []).append(f'{part}: {files}')
+    return '\n'.join(f'- **{paper}** ' + '; '.join(parts) for paper, parts in items.items())

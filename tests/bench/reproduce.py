@@ -38,7 +38,7 @@ PARTS = {'tables': ('Wang 2021, tables 1 to 5: holes by type', papers_wang.part_
          'fillers': ('All fillers on the same holes', papers_fillers.part_fillers, False)}
 HEAD = ('# The papers\' experiments again\n\nExperiments of the papers on made stand-ins for their data; `scripts/reproduce.sh` measures and writes this page. '
         '[Choices where the papers say nothing](decisions/2026-11-22-published-fillers.md).\n\n## Equations in the code\n\n')
-VERDICTS = '\n\n## Experiments\n\n| printed | stand-in | verdict | ours |\n|---|---|---|---|\n'
+VERDICTS = '\n\n## Experiments\n\nWhat is printed, the stand-in, the verdict, what is found here:\n\n'
 EPILOGUE = ('Examples:\n'
             '  scripts/reproduce.sh                        everything, an hour or more, 12 GB of disk and 4 GB of memory\n'
             '  scripts/reproduce.sh --quick                the small ones of everything, 10 to 20 minutes; the page is WORK/quick.md\n'
@@ -51,7 +51,7 @@ EPILOGUE = ('Examples:\n'
 def page_text(sections):
     """`sections`: name -> lines of the table of verdicts (measure.verdict), text."""
     present = [(name, *sections[name]) for name in PARTS if name in sections]
-    rows = [f'| [{printed}](#{anchor(text)}) | {rest} |' for _, lines, text in present for printed, rest in (line.split(' | ', 1) for line in lines.splitlines())]
+    rows = [item(line, anchor(text)) for _, lines, text in present for line in lines.splitlines()]
     return HEAD + papers_short.sources_list() + VERDICTS + '\n'.join(rows) + '\n\n' + '\n\n'.join(f'<!-- {name} -->\n{text}' for name, _, text in present) + '\n'
 
 
@@ -61,15 +61,20 @@ def anchor(section):
     return re.sub(r'[^\w\- ]|²', '', title).replace(' ', '-')
 
 
+def item(line, target):
+    printed, stand_in, outcome, ours = line.split(' | ')
+    return f'- [{printed}](#{target}) ({stand_in}): **{outcome}**; {ours}'.rstrip('; ')
+
+
 def kept(page):
     """The sections that a page has, as page_text takes them."""
     if not os.path.exists(page):
         return {}
     with open(page, encoding='utf-8') as file:
         text = file.read()
-    rows = re.findall(r'^\| \[(.*?)\]\(#([^)]*)\) \| (.*) \|$', text, re.MULTILINE)
+    rows = re.findall(r'^- \[(.*?)\]\(#([^)]*)\) \((.*)\): \*\*(.*?)\*\*(?:; (.*))?$', text, re.MULTILINE)
     sections = {m[1]: m[2].strip() for m in re.finditer(r'<!-- (\w+) -->\n(.*?)(?=<!-- \w+ -->\n|\Z)', text, re.DOTALL)}
-    return {name: (''.join(f'{printed} | {rest}\n' for printed, target, rest in rows if target == anchor(section)), section) for name, section in sections.items()}
+    return {name: (''.join(f'{printed} | {" | ".join(rest)}\n' for printed, target, *rest in rows if target == anchor(section)), section) for name, section in sections.items()}
 
 
 def numbers(kind):
