@@ -55,6 +55,10 @@ def names_of(rows):
     return ', '.join(row[0].split(' ')[-1] for row in rows)
 
 
+def link_to(title):
+    return f'[{title}](#{title.replace(" ", "-")})'
+
+
 def shortened(title, rows, tables):
     """The flags of a command, without the text of those that are described with another."""
     own, parts = rows, []
@@ -66,7 +70,7 @@ def shortened(title, rows, tables):
             continue
         own = [row for row in own if row not in shared]
         absent = [row for row in tables[other] if row not in shared]
-        link = f'[{other}](#{other.replace(" ", "-")})'
+        link = link_to(other)
         if len(shared) > MANY and len(absent) < len(shared):
             parts.append(f'The flags of {link}{f" but {names_of(absent)}" if absent else ""}.')
         else:
@@ -78,8 +82,15 @@ def page(text):
     sections = [section for section in re.split(r'^(?=##+ )', text, flags=re.MULTILINE) if section.strip()]
     titles = [re.match(r'##+ (.*)', section).group(1) for section in sections]
     tables = {title: rows_of(section) for title, section in zip(titles, sections)}
-    parts = [HEAD]
+    parts, alike = [HEAD], []
     for title, section in zip(titles, sections):
+        same = re.match(r'##+ .*\n\n(.*) Flags as of `(.*)`\.$', section, re.MULTILINE)
+        if same:  # commands with the flags of another are items of one list
+            parts += [] if alike else [f'These have the flags of {link_to(same.group(2))}:\n']
+            alike = [*alike, f'- {same.group(1)}\n']
+            continue
+        parts += [''.join(alike)] if alike else []
+        alike = []
         section = re.sub(r'\n```sh\n.*?```\n', '', section, flags=re.DOTALL)  # `--help` and the user guide have examples
         if tables[title]:
             table = re.search(r'^\|.*\|\n(?:\|.*\|\n)+', section, re.MULTILINE).group(0)

@@ -21,10 +21,10 @@ def files(top, ending):
                 yield os.path.relpath(os.path.join(base, name), ROOT)
 
 
-def rows(page, first):
-    """The cells of the table whose first column is `first`."""
-    lines = page[page.index(f'| {first} |'):].split('\n\n')[0].splitlines()[2:]
-    return [[cell.strip() for cell in line.strip('|').split('|')] for line in lines]
+def call_items(page):
+    """{call: (role, what is said, errors)} of the items under "Calls"."""
+    found = re.findall(r'^- `([\w.]+/\w+)` \((\w+)\): (.+?)(?:\. Errors: (.+))?$', page, re.M)
+    return {call: (role, what, errors) for call, role, what, errors in found}
 
 
 def error_items(page):
@@ -71,10 +71,10 @@ def check(condition, text):
 def main():
     page, known, calls = read('docs/api.md'), reasons(), rpcs()
     roles = dict(re.findall(r'\{"([\w.]+/\w+)", Role::k(\w+)\}', read('coordinator/api/access.cc')))
-    listed = {quoted(row[0])[0]: row for row in rows(page, 'call')}
+    listed = call_items(page)
     check(set(listed) == set(calls), f'calls: {set(listed) ^ set(calls)}')
     for call in set(listed) & set(calls):
-        _, role, what, errors = listed[call]
+        role, what, errors = listed[call]
         check(role == roles[call].lower(), f'{call}: role {role}, not {roles[call]}')
         check(what, f'{call}: nothing is said of it')
         check(set(quoted(errors)) <= set(known), f'{call}: {set(quoted(errors)) - set(known)}')
