@@ -13,11 +13,10 @@ import sys
 FILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'docs', 'reference.md')
 HEAD = '''# Reference of all flags
 
-`scripts/reference.py` of the source tree writes this page; a test holds it to the programs. A default stands in brackets.
-`--help` shows the flags before *advanced*, then those. `--help-all` also shows those of *papers*, the published methods.
-Options of jobs have the same names, ranges and defaults in the API, with `_` for `-`
-(`proto/tilemend/v1/job_spec.proto`). Flags are also read from the environment and a file
-([operations](operations.md#without-containers)).
+`scripts/reference.py` of the source tree writes this page; a test holds it to the programs. Defaults are in brackets.
+`--help` shows everyday and *advanced* flags, `--help-all` also those of *papers*, the published methods. Options of jobs
+have the same names in the API, with `_` for `-` (`proto/tilemend/v1/job_spec.proto`). Flags are also read from the
+[environment and a file](operations.md#without-containers).
 '''
 SHARED = ('tilemend', 'tilemend run', 'tilemend get', 'tilemend fill', 'tilemend-coordinator')
 MANY = 10  # so many shared flags are given as "all but"
