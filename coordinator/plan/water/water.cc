@@ -26,7 +26,7 @@ namespace {
 
 constexpr double kWallAtWater = 1;       // metres
 constexpr double kJudged = 100;          // m2: smaller holes are not judged unless an area decides, or beside water
-constexpr double kMaxLowerShare = 0.15;  // of the low surface around water
+constexpr double kMaxLowerShare = 0.17;  // of the ground around water
 
 using Verdict = HoleEvidence::Verdict;
 
@@ -130,6 +130,24 @@ std::vector<size_t> NoParts(const std::vector<Basin>& basins, const std::vector<
   for (const auto& [whole, b] : worst) numbers.push_back(b);
   std::ranges::sort(numbers);
   return numbers;
+}
+
+// What has surface around it that is lower than the water, as a yard behind a dyke, joins none.
+std::vector<Basin> JoinWater(std::vector<Basin> basins, double least_river, const Plan& plan, const PlanInput& input,
+                             const AreaIndex& index) {
+  std::vector<Basin> apart;
+  while (true) {
+    std::vector<Basin> joined = JoinBasins(basins, least_river);
+    const std::vector<size_t> no_parts = NoParts(basins, joined, plan, input);
+    if (no_parts.empty() || index.cancelled()) {
+      std::ranges::move(apart, std::back_inserter(joined));
+      return joined;
+    }
+    for (const size_t b : no_parts | std::views::reverse) {
+      apart.push_back(std::move(basins[b]));
+      basins.erase(basins.begin() + static_cast<std::ptrdiff_t>(b));
+    }
+  }
 }
 
 // What stands so high above the water stands beside or over it: a quay, a pier, a bridge.
@@ -256,26 +274,9 @@ class WaterFinder {
       if (std::ranges::any_of(level, meets)) AddBasin(g, basins);
     }
     if (index_.cancelled()) return;
-    basins = JoinWater(std::move(basins));
+    basins = JoinWater(std::move(basins), options_.profile.least_river, plan_, input_, index_);
     const std::vector<double> lower = LowerSharesOf(basins, plan_, input_);
     for (size_t b = 0; b < basins.size(); ++b) Decide(basins[b], lower[b]);
-  }
-
-  // What has surface around it that is lower than the water, as a yard behind a dyke, joins none.
-  std::vector<Basin> JoinWater(std::vector<Basin> basins) const {
-    std::vector<Basin> apart;
-    while (true) {
-      std::vector<Basin> joined = JoinBasins(basins, options_.profile.least_river);
-      const std::vector<size_t> no_parts = NoParts(basins, joined, plan_, input_);
-      if (no_parts.empty() || index_.cancelled()) {
-        std::ranges::move(apart, std::back_inserter(joined));
-        return joined;
-      }
-      for (const size_t b : no_parts | std::views::reverse) {
-        apart.push_back(std::move(basins[b]));
-        basins.erase(basins.begin() + static_cast<std::ptrdiff_t>(b));
-      }
-    }
   }
 
   void AddBasin(size_t g, std::vector<Basin>& basins) {

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <limits>
 #include <vector>
 
 namespace tilemend {
@@ -58,46 +57,6 @@ TEST(GroundAtRimTest, DoesNotDependOnTheOtherVerticesThatAreAsked) {
   for (size_t v = 0; v < vertices.size(); ++v) {
     EXPECT_EQ(GroundAtRim(std::vector<Point3>{vertices[v]}, rasters).on_object[0], all[v]) << v;
   }
-}
-
-// A street along x between houses, 6 m wide, with a hole from 45 to 55.
-double Street(int32_t c, int32_t r) {
-  if (c >= 45 && c < 55 && r >= 47 && r < 53) return std::numeric_limits<double>::quiet_NaN();
-  return r >= 47 && r < 53 ? 2 : 9;
-}
-
-std::vector<Point3> RimOfStreet() {
-  std::vector<Point3> rim;
-  for (int32_t r = 47; r < 53; ++r) {
-    rim.emplace_back(44.5, r + 0.5, 2);
-    rim.emplace_back(55.5, r + 0.5, 2);
-  }
-  return rim;
-}
-
-TEST(GroundAroundHolesTest, HasTheStreetAndNoRoof) {
-  const std::vector<GroundRaster> rasters = {Raster(0, 0, 100, 100, Street)};
-  const RimGround rim = GroundAtRim(RimOfStreet(), rasters);
-  EXPECT_EQ(rim.side, 3);
-  ASSERT_FALSE(rim.around.empty());
-  for (const GroundSquare& square : rim.around) {
-    EXPECT_EQ(square.height, 2);
-    EXPECT_TRUE(square.row >= 15 && square.row <= 17) << square.row;
-    EXPECT_TRUE(square.col >= 9 && square.col <= 24) << square.col << ": farther than the surroundings reach";
-  }
-  EXPECT_EQ(rim.around.size(), 36) << "from 28 to 45 and from 55 to 72, in three rows";
-}
-
-TEST(GroundAroundHolesTest, WithoutAHoleThereIsNone) {
-  const std::vector<GroundRaster> rasters = {Raster(0, 0, 100, 100, House)};
-  EXPECT_TRUE(GroundAtRim(std::vector<Point3>{{20.5, 20.5, 0}, {99.5, 99.5, 0}}, rasters).around.empty());
-}
-
-TEST(GroundAroundHolesTest, ItIsTheSameHoweverTheSceneIsCut) {
-  const std::vector<GroundRaster> whole = {Raster(0, 0, 100, 100, Street)};
-  const std::vector<GroundRaster> parts = {Raster(0, 0, 50, 51, Street), Raster(50, 0, 50, 51, Street),
-                                           Raster(0, 51, 100, 49, Street)};
-  EXPECT_EQ(GroundAtRim(RimOfStreet(), whole).around, GroundAtRim(RimOfStreet(), parts).around);
 }
 
 TEST(GroundAtRimTest, WithoutSurfaceNothingIs) {
