@@ -12,7 +12,7 @@ import sys
 
 BIN, PACKAGE = (os.path.abspath(path) for path in sys.argv[1:3])
 FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), 'python', 'tilemend')
-NUMBERS = {'X', 'N', 'EDGES'}  # names of values in the reference
+NUMBER = r'-?[\d.]+(?:e[+-]?\d+)?'
 PATHS = {'FILE', 'DIR'}
 HEAD = '# Written by scripts/python_stubs.py; a test holds it to the programs.\n'
 
@@ -46,8 +46,9 @@ def row_of(name, shown, default, text, field):
         text, names = text.rsplit(': ', 1)
         words = re.split(r', | or ', names)
     choices, place = list(words), [part for part in shown.split('|') if part not in words and part != 'NAME' and part]
-    if place and place[0] in NUMBERS:
-        text, low, high, unit = re.fullmatch(r'(.*); (\S+) to (\S+) ?(.*)', text).groups()
+    bounds = re.fullmatch(rf'(.*); ({NUMBER}) to ({NUMBER}) ?(.*)', text)
+    if place and bounds:
+        text, low, high, unit = bounds.groups()
         is_whole = field.cpp_type in (field.CPPTYPE_INT32, field.CPPTYPE_INT64)
         choices.append(f'a {"whole " * is_whole}number from {low} to {high}')
     elif place:

@@ -167,7 +167,7 @@ absl::Status WorkHandler::Refusal(const v1::SyncRequest& request) {
 
 void WorkHandler::Check(const std::shared_ptr<WorkerSync>& sync) {
   const int64_t bytes = BytesOf(sync->request);
-  // Whoever has waited too long in the queue reports them again.
+  // A worker that hung up reports them again if it lives. If not, its leases end, and others do the tasks.
   std::vector<ResultIntake::Report> reports;
   if (sync->alive()) reports = reports_.Check(sync->request);
   LetGoOfResults(sync->request);

@@ -72,8 +72,8 @@ class OutputFolder {
   // Looks at every file that was placed, and has their names survive a power cut. Reads those with a digest that do not
   // look as they did then. kAborted if one is not there as it was placed, kCancelled if `ends`.
   absl::Status SeeAll(const std::function<bool()>& ends) const;
-  // Removes what killed workers left half-written; gives the number of files and folders there that are not of
-  // this output.
+  // Removes what a killed coordinator left half-written (attempts go in Finish); gives the number of files and folders
+  // there that are not of this output.
   int64_t TidyUp();
   // The output is complete.
   void Finish();

@@ -15,7 +15,8 @@ namespace tilemend {
 
 // Writes files under names that no other attempt has, into a folder that the coordinator made and takes away when
 // the output is complete. Only the coordinator gives them their final names, so that an attempt that was given up,
-// however late it wakes, changes nothing of the output. Makes no folder: after that every write fails. Not thread-safe.
+// however late it wakes, changes nothing of the output. Makes no folder: once the output is complete every write fails.
+// Not thread-safe.
 //
 // Errors: kUnavailable (FOLDER_NOT_SEEN) if this machine cannot write there; kResourceExhausted; and those of the file
 // that is read.

@@ -9,7 +9,7 @@ inline constexpr char kReachesUnknownRim[] =
     "it reaches the rim of the area, which is not known; --area FILE (inspect --propose-area FILE draws one) or "
     "area_known in a scene.json with all its cells fills it";
 
-// Holes that nobody wants filled.
+// Holes that nobody wants filled: they make no job partial.
 inline constexpr char kLongerThanChosen[] = "longer than --largest-hole";
 inline constexpr char kLeftByDecision[] = "left open by decision";
 

@@ -34,7 +34,7 @@ using Verdict = HoleEvidence::Verdict;
 struct Group {
   std::vector<int32_t> holes;
   double area = 0;                // m2
-  std::optional<size_t> decider;  // FindDecidingArea
+  std::optional<size_t> decider;  // DeciderOf
   HoleEvidence evidence;
   bool is_judged = false;
   bool is_known = false;  // the scene as a whole says what of it is water
@@ -262,16 +262,16 @@ class WaterFinder {
       if (index_.cancelled()) return;
       if (groups_[g].is_judged) AddBasin(g, basins);
     }
-    std::vector<Eigen::AlignedBox2d> level;
+    std::vector<Eigen::AlignedBox2d> boxes_of_level;
     for (const Basin& basin : basins) {
-      if (basin.is_level()) level.push_back(SurroundingsOf(basin.outlines[0], basin.Width()));
+      if (basin.is_level()) boxes_of_level.push_back(SurroundingsOf(basin.outlines[0], basin.Width()));
     }
     for (size_t g = 0; g < groups_.size(); ++g) {
       if (index_.cancelled()) return;
       if (groups_[g].is_judged || groups_[g].holes.empty()) continue;
       const Eigen::AlignedBox2d box = SurroundingsOf(BoundaryOf(plan_, groups_[g].holes), std::sqrt(groups_[g].area));
       const auto meets = [&](const Eigen::AlignedBox2d& other) { return other.intersects(box); };
-      if (std::ranges::any_of(level, meets)) AddBasin(g, basins);
+      if (std::ranges::any_of(boxes_of_level, meets)) AddBasin(g, basins);
     }
     if (index_.cancelled()) return;
     basins = JoinWater(std::move(basins), options_.profile.least_river, plan_, input_, index_);
