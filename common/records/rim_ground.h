@@ -23,7 +23,7 @@ struct RimGround {
   std::vector<bool> on_object;  // it stands on a tree, a house, a wall
   std::vector<float> ground;    // metres: the height of the ground there; NaN: not known
 
-  // Squares with ground that come within kSurroundingsReach of the rims of holes; row by row.
+  // Squares with ground within kSurroundingsReach of the rims of holes, and some farther off; row by row.
   double side = 0;  // metres, of the squares
   std::vector<GroundSquare> around = {};
 };

@@ -13,7 +13,7 @@ constexpr double kFinestStep = 0x1p-6;  // metres
 constexpr double kMostSteps = 0x7ff0;   // to either side of the middle
 constexpr int kNoSurface = 0x7fff;
 constexpr double kFarthest = 0x1p60;           // metres
-constexpr int64_t kMostSquaresOfVertex = 256;  // around holes: three times what a circle of kSurroundingsReach has
+constexpr int64_t kMostSquaresOfVertex = 256;  // around holes: one vertex has up to 225
 
 absl::Status Malformed() { return absl::InvalidArgumentError("malformed payload: ground raster"); }
 

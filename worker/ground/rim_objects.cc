@@ -44,18 +44,18 @@ RimGround GroundAtRim(std::span<const Point3> vertices, std::span<const GroundRa
   GroundRaster lowest = Frame(vertices, rasters, square, FilterReach(options));
   for (const GroundRaster& r : rasters) LowerTo(r, lowest);
   if (lowest.empty()) return result;
-  SquareBlocks asked(lowest.cols, lowest.rows);
-  Surroundings surroundings(lowest);
+  SquareBlocks asked(lowest.cols, lowest.rows), rims = asked;
   for (const Point3& v : vertices) {
     const int32_t col = SquareAt(v.x(), square), row = SquareAt(v.y(), square);
     if (!lowest.Contains(col, row)) continue;
     asked.Add(col - lowest.col, row - lowest.row);
-    surroundings.AddRim(col, row);
+    if (IsBesideHole(lowest, col, row)) rims.Add(col - lowest.col, row - lowest.row);
   }
-  surroundings.ForEach([&](int32_t col, int32_t row) { asked.Add(col - lowest.col, row - lowest.row); });
+  const SquareBlocks surroundings = SurroundingsOf(rims, square);
+  asked.AddAll(surroundings);
   const FilteredGround filtered(lowest, options, asked);
   result.side = kSquaresAlongSide * square;
-  result.around = surroundings.GroundIn(filtered);
+  result.around = GroundIn(surroundings, lowest, filtered);
   for (size_t v = 0; v < vertices.size(); ++v) {
     const int32_t col = SquareAt(vertices[v].x(), square), row = SquareAt(vertices[v].y(), square);
     if (!lowest.Contains(col, row) || std::isnan(lowest.heights[lowest.IndexOf(col, row)])) continue;

@@ -29,6 +29,11 @@ class SquareBlocks {
   bool HasBlock(size_t block) const { return has_[block] != 0; }
   void AddBlock(size_t block) { has_[block] = 1; }
 
+  // Those of another set for the same raster.
+  void AddAll(const SquareBlocks& other) {
+    for (size_t block = 0; block < has_.size(); ++block) has_[block] |= other.has_[block];
+  }
+
   // All that is at most so many squares away along each axis, and maybe up to a block more. O(blocks).
   SquareBlocks GrownBy(int32_t squares) const;
 

@@ -7,44 +7,35 @@
 
 namespace tilemend {
 
-Surroundings::Surroundings(const GroundRaster& lowest)
-    : lowest_(lowest),
-      reach_(static_cast<int32_t>(std::ceil(kSurroundingsReach / lowest.square)) + 1),
-      is_rim_(lowest.heights.size(), false),
-      is_near_(lowest.heights.size(), false) {}
-
-bool Surroundings::IsBesideHole(int32_t col, int32_t row) const {
-  constexpr int32_t kWithin = 2;  // squares: the triangles of a ragged rim may cover the next one
+bool IsBesideHole(const GroundRaster& lowest, int32_t col, int32_t row) {
+  constexpr int32_t kWithin = 2;
   for (int32_t r = row - kWithin; r <= row + kWithin; ++r) {
     for (int32_t c = col - kWithin; c <= col + kWithin; ++c) {
-      if (lowest_.Contains(c, r) && std::isnan(lowest_.heights[lowest_.IndexOf(c, r)])) return true;
+      if (lowest.Contains(c, r) && std::isnan(lowest.heights[lowest.IndexOf(c, r)])) return true;
     }
   }
   return false;
 }
 
-void Surroundings::AddRim(int32_t col, int32_t row) {
-  if (is_rim_[lowest_.IndexOf(col, row)] || !IsBesideHole(col, row)) return;
-  is_rim_[lowest_.IndexOf(col, row)] = true;
-  for (int32_t r = std::max(row - reach_, lowest_.row); r <= row + reach_; ++r) {
-    for (int32_t c = std::max(col - reach_, lowest_.col); c <= col + reach_; ++c) {
-      const bool is_within = (c - col) * (c - col) + (r - row) * (r - row) <= reach_ * reach_;
-      if (is_within && lowest_.Contains(c, r)) is_near_[lowest_.IndexOf(c, r)] = true;
-    }
-  }
+SquareBlocks SurroundingsOf(const SquareBlocks& rims, double square) {
+  return rims.GrownBy(static_cast<int32_t>(std::ceil(kSurroundingsReach / square)) + 1);
 }
 
-std::vector<GroundSquare> Surroundings::GroundIn(const FilteredGround& filtered) const {
-  std::map<std::pair<int32_t, int32_t>, float> lowest;  // by row and column
-  ForEach([&](int32_t col, int32_t row) {
-    if (!filtered.IsGround(col, row)) return;
-    const float height = lowest_.heights[lowest_.IndexOf(col, row)];
-    const std::pair wide(SquareAt(row, kSquaresAlongSide), SquareAt(col, kSquaresAlongSide));
-    const auto [square, fresh] = lowest.try_emplace(wide, height);
-    if (!fresh) square->second = std::min(square->second, height);
+std::vector<GroundSquare> GroundIn(const SquareBlocks& near, const GroundRaster& lowest,
+                                   const FilteredGround& filtered) {
+  std::map<std::pair<int32_t, int32_t>, float> heights;  // by row and column
+  near.ForRuns([&](int32_t raster_row, int32_t first, int32_t end) {
+    const int32_t row = lowest.row + raster_row;
+    for (int32_t col = lowest.col + first; col < lowest.col + end; ++col) {
+      if (!filtered.IsGround(col, row)) continue;
+      const float height = lowest.heights[lowest.IndexOf(col, row)];
+      const std::pair wide(SquareAt(row, kSquaresAlongSide), SquareAt(col, kSquaresAlongSide));
+      const auto [square, fresh] = heights.try_emplace(wide, height);
+      if (!fresh) square->second = std::min(square->second, height);
+    }
   });
   std::vector<GroundSquare> squares;
-  for (const auto& [wide, height] : lowest) squares.push_back({wide.second, wide.first, height});
+  for (const auto& [wide, height] : heights) squares.push_back({wide.second, wide.first, height});
   return squares;
 }
 
