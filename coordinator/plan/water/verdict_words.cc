@@ -14,8 +14,8 @@ std::string Centimetres(double metres) {
   return std::to_string(cm / 100) + "." + (rest.size() < 2 ? "0" : "") + rest + " m";
 }
 
-std::string LowerSurface(double share) {
-  return Rounded(100 * share) + " % of the low surface around it is no higher than its rim";
+std::string LowGround(double share) {
+  return Rounded(100 * share) + " % of the ground around it is no higher than its rim";
 }
 
 std::string Agreement(const LevelEvidence& e) {
@@ -33,18 +33,18 @@ std::string DecidedBy(const WaterArea& area) {
   return area.label + (area.water ? " says that it is water" : " says that it is no water");
 }
 
-std::string ReasonFor(HoleEvidence::Verdict verdict, const Basin& basin, double lower_share,
+std::string ReasonFor(HoleEvidence::Verdict verdict, const Basin& basin, double low_ground,
                       const WaterProfile& profile) {
   const LevelEvidence& e = basin.river ? basin.river->evidence : basin.evidence;
   switch (verdict) {
     case HoleEvidence::Verdict::kLake:
-      return Agreement(e) + (e.agrees() ? "" : "; " + LowerSurface(lower_share));
+      return Agreement(e) + (e.agrees() ? "" : "; " + LowGround(low_ground));
     case HoleEvidence::Verdict::kRiver:
       return "its rim falls evenly, within " + Centimetres(e.disagreement);
     case HoleEvidence::Verdict::kLevelGround:
       if (basin.area < profile.least_lake)
         return Agreement(e) + "; smaller than " + Rounded(profile.least_lake) + " m2";
-      return Agreement(e) + "; " + LowerSurface(lower_share);
+      return Agreement(e) + "; " + LowGround(low_ground);
     case HoleEvidence::Verdict::kNoWater:
       break;
   }
@@ -56,8 +56,8 @@ std::string ReasonFor(HoleEvidence::Verdict verdict, const Basin& basin, double 
     return "the far sides of the rim differ by " + Centimetres(e.disagreement) +
            " in their level, and a dry surface by " + Centimetres(e.dry_difference);
   }
-  const bool is_lower = lower_share > 0;
-  return is_lower ? LowerSurface(lower_share) : "smaller than " + Rounded(profile.least_level) + " m2";
+  const bool is_lower = low_ground > 0;
+  return is_lower ? LowGround(low_ground) : "smaller than " + Rounded(profile.least_level) + " m2";
 }
 
 }  // namespace tilemend

@@ -15,8 +15,8 @@ inline constexpr char kNoRim[] = "no original surface bounds it, so no level is 
 // Of a hole that an area of the user decides on.
 std::string DecidedBy(const WaterArea& area);
 
-// What `verdict` on a basin follows from. `lower_share`: LowerShares, 0 to 1.
-std::string ReasonFor(HoleEvidence::Verdict verdict, const Basin& basin, double lower_share,
+// What `verdict` on a basin follows from. `low_ground`: LowGroundShares, 0 to 1.
+std::string ReasonFor(HoleEvidence::Verdict verdict, const Basin& basin, double low_ground,
                       const WaterProfile& profile);
 
 }  // namespace tilemend

@@ -16,7 +16,7 @@
 #include "coordinator/plan/water/basins.h"
 #include "coordinator/plan/water/given_water.h"
 #include "coordinator/plan/water/hole_groups.h"
-#include "coordinator/plan/water/lower_surface.h"
+#include "coordinator/plan/water/low_ground.h"
 #include "coordinator/plan/water/rim_chains.h"
 #include "coordinator/plan/water/verdict_chance.h"
 #include "coordinator/plan/water/verdict_words.h"
@@ -24,9 +24,9 @@
 namespace tilemend {
 namespace {
 
-constexpr double kWallAtWater = 1;       // metres
-constexpr double kJudged = 100;          // m2: smaller holes are not judged unless an area decides, or beside water
-constexpr double kMaxLowerShare = 0.17;  // of the ground around water
+constexpr double kWallAtWater = 1;      // metres
+constexpr double kJudged = 100;         // m2: smaller holes are not judged unless an area decides, or beside water
+constexpr double kMaxLowGround = 0.17;  // of the ground around water
 
 using Verdict = HoleEvidence::Verdict;
 
@@ -100,10 +100,10 @@ Shore ShoreOf(const Basin& basin, const std::vector<RimChain>& rim) {
   return shore;
 }
 
-std::vector<double> LowerSharesOf(const std::vector<Basin>& basins, const Plan& plan, const PlanInput& input) {
+std::vector<double> LowGroundOf(const std::vector<Basin>& basins, const Plan& plan, const PlanInput& input) {
   std::vector<Shore> shores;
   for (const Basin& basin : basins) shores.push_back(basin.is_level() ? ShoreOf(basin, basin.rim) : Shore());
-  return LowerShares(plan, input, shores);
+  return LowGroundShares(plan, input, shores);
 }
 
 // Of each water that was joined from several of `basins` the one around which most surface is lower than this water, if
@@ -119,10 +119,10 @@ std::vector<size_t> NoParts(const std::vector<Basin>& basins, const std::vector<
     const bool is_part = whole->members.size() > 1 && whole->is_level();
     shores.push_back(is_part ? ShoreOf(*whole, part.rim) : Shore());
   }
-  const std::vector<double> lower = LowerShares(plan, input, shores);
+  const std::vector<double> lower = LowGroundShares(plan, input, shores);
   std::map<size_t, size_t> worst;  // by the whole
   for (size_t b = 0; b < basins.size(); ++b) {
-    if (lower[b] <= kMaxLowerShare) continue;
+    if (lower[b] <= kMaxLowGround) continue;
     const auto [it, fresh] = worst.try_emplace(whole_of[b], b);
     if (!fresh && lower[b] > lower[it->second]) it->second = b;
   }
@@ -275,7 +275,7 @@ class WaterFinder {
     }
     if (index_.cancelled()) return;
     basins = JoinWater(std::move(basins), options_.profile.least_river, plan_, input_, index_);
-    const std::vector<double> lower = LowerSharesOf(basins, plan_, input_);
+    const std::vector<double> lower = LowGroundOf(basins, plan_, input_);
     for (size_t b = 0; b < basins.size(); ++b) Decide(basins[b], lower[b]);
   }
 
@@ -289,9 +289,9 @@ class WaterFinder {
         MakeBasin(g, BoundaryOf(plan_, group.holes), std::move(rim), group.area, options_.profile.least_river));
   }
 
-  void Decide(const Basin& basin, double lower_share) {
+  void Decide(const Basin& basin, double low_ground) {
     const LevelEvidence& e = basin.river ? basin.river->evidence : basin.evidence;
-    const bool is_lowest = lower_share <= kMaxLowerShare;
+    const bool is_lowest = low_ground <= kMaxLowGround;
     const bool is_flat = basin.is_level() && (is_lowest || (!basin.river && e.is_within_noise()));
     const bool is_large = basin.area >= options_.profile.least_lake;
     Verdict verdict = Verdict::kNoWater;
@@ -305,7 +305,7 @@ class WaterFinder {
     for (const size_t g : basin.members) {
       groups_[g].is_judged = groups_[g].is_judged || verdict != Verdict::kNoWater;
       HoleEvidence& evidence = groups_[g].evidence;
-      evidence = {verdict, true, e.level, e.sigma(), ReasonFor(verdict, basin, lower_share, options_.profile)};
+      evidence = {verdict, true, e.level, e.sigma(), ReasonFor(verdict, basin, low_ground, options_.profile)};
       evidence.dry_difference = basin.evidence.dry_difference;
       evidence.chance_wrong = ChanceOfError(verdict, basin.evidence);
     }

@@ -14,15 +14,15 @@ namespace tilemend {
 // original rim vertices that stand more than a metre above their water. Judged are clusters of open holes, and closed
 // holes that face up and project, with an edge of original surface on their rim.
 //
-// A reviewer's decision goes first, unless it accepts what was found. Then the last area in options.areas that covers more than half of a hole decides on
-// it, unless the whole rim lies above what the area clears. No hole is filled flat if its area says that there is no
-// water. Else its level is the area's, or LevelEvidence::level. Those of one area are one body if CanBeOneLevel. Along
-// a given centreline the water falls (FitRiver).
+// A reviewer's decision goes first, unless it accepts what was found. Then the last area in options.areas that covers
+// more than half of a hole decides on it, unless the whole rim lies above what the area clears. No hole is filled flat
+// if its area says that there is no water. Else its level is the area's, or LevelEvidence::level. Those of one area are
+// one body if CanBeOneLevel. Along a given centreline the water falls (FitRiver).
 //
 // Where none decides and options.find is set (docs/decisions/2026-11-26-water-by-evidence.md):
 //   water         its rim is level (LevelEvidence::is_level), or a river's (FindFall), alone or with that of others
-//                 across a bridge (JoinBasins); little of the ground around it is as low (LowerShares, kMaxLowerShare);
-//                 it is as large as options.profile asks
+//                 across a bridge (JoinBasins); little of the ground around it is as low (LowGroundShares,
+//                 kMaxLowGround); it is as large as options.profile asks
 //   level ground  not water, but level and dry surface differ by less than three times the noise, or it is smaller
 //                 water, of profile.least_level at least: filled flat too
 // Holes that are parts of `known` water of the whole scene are that water first. A reconstruction area may leave too
@@ -30,7 +30,7 @@ namespace tilemend {
 // judged by themselves.
 //
 // Levels are rounded to the lattice. Once cancelled it ends soon, and the plan is not to be used. Cost as AreaIndex for
-// each group, EvidenceOf, JoinBasins and LowerShares. Deterministic.
+// each group, EvidenceOf, JoinBasins and LowGroundShares. Deterministic.
 void FindWater(const PlanInput& input, const WaterOptions& options, KnownWater known, Plan& plan,
                const std::function<bool()>& is_cancelled = {});
 

@@ -1,6 +1,6 @@
-// How much of the surface around a hole lies lower than the water that may be in it.
-#ifndef TILEMEND_COORDINATOR_PLAN_WATER_LOWER_SURFACE_H_
-#define TILEMEND_COORDINATOR_PLAN_WATER_LOWER_SURFACE_H_
+// How much of the ground around a hole is no higher than the water that may be in it.
+#ifndef TILEMEND_COORDINATOR_PLAN_WATER_LOW_GROUND_H_
+#define TILEMEND_COORDINATOR_PLAN_WATER_LOW_GROUND_H_
 
 #include <cstdint>
 #include <span>
@@ -31,8 +31,8 @@ struct Shore {
 // squares are no higher: a jetty or a spike.
 //
 // Cost O(n log n) in the squares and the bands' vertices of the cells around, and the shores.
-std::vector<double> LowerShares(const Plan& plan, const PlanInput& input, std::span<const Shore> shores);
+std::vector<double> LowGroundShares(const Plan& plan, const PlanInput& input, std::span<const Shore> shores);
 
 }  // namespace tilemend
 
-#endif  // TILEMEND_COORDINATOR_PLAN_WATER_LOWER_SURFACE_H_
+#endif  // TILEMEND_COORDINATOR_PLAN_WATER_LOW_GROUND_H_

@@ -1,4 +1,4 @@
-#include "coordinator/plan/water/lower_surface.h"
+#include "coordinator/plan/water/low_ground.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -44,7 +44,7 @@ class ShoreIndex {
     square.is_ground = square.is_ground || is_ground;
   }
 
-  double LowerShare() const {
+  double LowGroundShare() const {
     const double most = std::max(most_above_, kSteepest * reach_);
     const auto is_lower = [&](const auto& square) {
       const double freeboard = square.second.is_ground ? kFreeboard : 0;
@@ -94,7 +94,7 @@ class ShoreIndex {
 
 }  // namespace
 
-std::vector<double> LowerShares(const Plan& plan, const PlanInput& input, std::span<const Shore> shores) {
+std::vector<double> LowGroundShares(const Plan& plan, const PlanInput& input, std::span<const Shore> shores) {
   std::vector<ShoreIndex> indices(shores.begin(), shores.end());
   for (const auto& [cell, record] : input.cells) {
     if (record == nullptr || record->vertex_count == 0 || input.rim_ground.contains(cell)) continue;
@@ -118,7 +118,7 @@ std::vector<double> LowerShares(const Plan& plan, const PlanInput& input, std::s
     }
   }
   std::vector<double> shares;
-  for (const ShoreIndex& shore : indices) shares.push_back(shore.LowerShare());
+  for (const ShoreIndex& shore : indices) shares.push_back(shore.LowGroundShare());
   return shares;
 }
 

@@ -1,4 +1,4 @@
-#include "coordinator/plan/water/lower_surface.h"
+#include "coordinator/plan/water/low_ground.h"
 
 #include <gtest/gtest.h>
 
@@ -26,17 +26,17 @@ double ShareAround(const HeightFunction& height, double noise = 0.1) {
       shore.edges.emplace_back(p.x(), p.y(), 5);
     }
   }
-  return LowerShares(Plan(), scene.Input(), std::vector<Shore>{shore})[0];
+  return LowGroundShares(Plan(), scene.Input(), std::vector<Shore>{shore})[0];
 }
 
-TEST(LowerSharesTest, IsTheShareOfTheSurfaceAround) {
+TEST(LowGroundSharesTest, IsTheShareOfTheSurfaceAround) {
   EXPECT_EQ(ShareAround([](double, double) { return 6; }), 0);
   EXPECT_EQ(ShareAround([](double, double) { return 4; }), 1);
   EXPECT_NEAR(ShareAround([](double x, double) { return x < 20 ? 4 : 6; }), 0.5, 0.1);
 }
 
 // A street between houses: each square counts once, by its lowest vertex, wherever the lattice of squares lies.
-TEST(LowerSharesTest, RoofsDoNotCount) {
+TEST(LowGroundSharesTest, RoofsDoNotCount) {
   for (const double shift : {0.0, 0.4, 0.7, 1.1}) {
     const auto every_third_row_is_street = [&](double, double y) {
       return std::fmod(y + shift + 9, 3) < 1 ? 5.05 : 12;
@@ -47,21 +47,21 @@ TEST(LowerSharesTest, RoofsDoNotCount) {
 }
 
 // A row of squares among 27 is no street.
-TEST(LowerSharesTest, AFewLowSquaresDoNotCount) {
+TEST(LowGroundSharesTest, AFewLowSquaresDoNotCount) {
   for (const double shift : {0.0, 0.4, 0.7, 1.1}) {
     EXPECT_EQ(ShareAround([&](double x, double y) { return y < 5 + shift && x < 16 ? 5 : 12; }), 0);
   }
 }
 
 // The surface rises by 2 cm per metre: a bank, unless the heights are as rough as that.
-TEST(LowerSharesTest, NoiseIsNoHigher) {
+TEST(LowGroundSharesTest, NoiseIsNoHigher) {
   const auto bank = [](double x, double y) { return 5 + 0.02 * std::max({15 - x, x - 25, 15 - y, y - 25, 0.0}); };
   EXPECT_LT(ShareAround(bank, 0.02), 0.15);
   EXPECT_EQ(ShareAround(bank, 0.2), 1);
 }
 
 // East of the hole its rim is a quay: what lies behind that does not count.
-TEST(LowerSharesTest, SurfaceBehindQuaysDoesNotCount) {
+TEST(LowGroundSharesTest, SurfaceBehindQuaysDoesNotCount) {
   std::vector<std::string> picture(40, std::string(40, '#'));
   for (int row = 15; row < 25; ++row) picture[row].replace(15, 10, 10, '.');
   SurveyedScene scene = PictureScene(picture, 40, [](double x, double) { return x < 24 ? 6 : 4; });
@@ -71,11 +71,11 @@ TEST(LowerSharesTest, SurfaceBehindQuaysDoesNotCount) {
     for (const Point2& p : {Point2(k, 15), Point2(k, 25), Point2(15, k)}) shore.edges.emplace_back(p.x(), p.y(), 5);
     shore.edges.emplace_back(25, k, std::numeric_limits<double>::quiet_NaN());
   }
-  EXPECT_LT(LowerShares(Plan(), scene.Input(), std::vector<Shore>{shore})[0], 0.25);
+  EXPECT_LT(LowGroundShares(Plan(), scene.Input(), std::vector<Shore>{shore})[0], 0.25);
 }
 
 // Lidar has a vertex in each square metre: bands of two rings of triangles tell of no street behind a house.
-TEST(LowerSharesTest, GroundBeyondTheBandsCounts) {
+TEST(LowGroundSharesTest, GroundBeyondTheBandsCounts) {
   Shore shore;
   shore.mean_edge = 1;
   for (double k = 0.5; k < 10; ++k) shore.edges.emplace_back(k, 0, 5);
@@ -88,16 +88,16 @@ TEST(LowerSharesTest, GroundBeyondTheBandsCounts) {
     rim.around.push_back({col, 2, 4.9F});
     rim.around.push_back({col, 3, 8});
   }
-  EXPECT_NEAR(LowerShares(Plan(), input, std::vector<Shore>{shore})[0], 2.0 / 3, 1e-9) << "8 of 12";
+  EXPECT_NEAR(LowGroundShares(Plan(), input, std::vector<Shore>{shore})[0], 2.0 / 3, 1e-9) << "8 of 12";
   for (GroundSquare& square : rim.around) square.height += 0.4F;
-  EXPECT_NEAR(LowerShares(Plan(), input, std::vector<Shore>{shore})[0], 0, 1e-9);
+  EXPECT_NEAR(LowGroundShares(Plan(), input, std::vector<Shore>{shore})[0], 0, 1e-9);
 }
 
-TEST(LowerSharesTest, WithoutSurfaceAroundNothingIsKnown) {
+TEST(LowGroundSharesTest, WithoutSurfaceAroundNothingIsKnown) {
   Shore shore;
   shore.mean_edge = 1;
   shore.edges = {Point3(0, 0, 5)};
-  EXPECT_EQ(LowerShares(Plan(), PlanInput(), std::vector<Shore>{shore})[0], 0);
+  EXPECT_EQ(LowGroundShares(Plan(), PlanInput(), std::vector<Shore>{shore})[0], 0);
 }
 
 }  // namespace
