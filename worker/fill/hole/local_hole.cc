@@ -5,6 +5,8 @@
 #include <map>
 #include <unordered_map>
 
+#include "common/mesh/rounding.h"
+
 namespace tilemend {
 namespace {
 
@@ -81,6 +83,11 @@ Vector3d LocalHole::VectorArea() const {
 std::optional<double> LocalHole::WaterLevelAt(const Point2& p) const {
   if (!level || river.stations.empty()) return level;
   return LevelAt(river, p, cell->lattice_step);
+}
+
+Point3 LocalHole::Storable(const Point3& p) const {
+  return RoundedTo(cell->float32 ? NumberType::kFloat32 : NumberType::kFloat64,
+                   RoundedToLattice(p, cell->lattice_step));
 }
 
 LocalHole NumberVertices(const CellHoles& cell, const CellBand& band, std::span<const RimSegment> segments,

@@ -59,6 +59,8 @@ struct LocalHole {
   Eigen::Vector3d VectorArea() const;
   // Of the water that the hole is filled as, metres, on the lattice; nullopt if it is filled as none.
   std::optional<double> WaterLevelAt(const Point2& p) const;
+  // The place on the lattice, near p, that the output can hold.
+  Point3 Storable(const Point3& p) const;
 };
 
 // Numbers the vertices of segments in order of appearance, then those of inner edges. Without loops and normals;

@@ -296,7 +296,7 @@ class FoldedFiller {
       const auto [from, to] = segments_[k];
       if (std::max(from, to) >= hole_.size() || rim.contains({from, to}) || hole_.MayJoin(from, to)) continue;
       const Point3 a = whole_.positions[from], b = whole_.positions[to];
-      const auto there = std::ranges::find(whole_.positions, Storable((a + b) / 2));
+      const auto there = std::ranges::find(whole_.positions, hole_.Storable((a + b) / 2));
       const int32_t middle = there != whole_.positions.end()
                                  ? static_cast<int32_t>(there - whole_.positions.begin())
                                  : AddVertex((a + b) / 2, std::min(whole_.sizes[from], whole_.sizes[to]));
@@ -307,7 +307,7 @@ class FoldedFiller {
 
   int32_t AddVertex(const Point3& place, double size) {
     whole_.vertices.push_back(-1);
-    whole_.positions.push_back(Storable(place));
+    whole_.positions.push_back(hole_.Storable(place));
     whole_.sizes.push_back(size);
     whole_.has_equation.push_back(false);
     whole_.normals.emplace_back(Eigen::Vector3d::Zero());
@@ -315,11 +315,6 @@ class FoldedFiller {
     if (!whole_.on_object.empty()) whole_.on_object.push_back(true);
     if (!whole_.ground.empty()) whole_.ground.emplace_back(std::nullopt);
     return whole_.size() - 1;
-  }
-
-  Point3 Storable(const Point3& p) const {
-    return RoundedTo(hole_.cell->float32 ? NumberType::kFloat32 : NumberType::kFloat64,
-                     RoundedToLattice(p, hole_.cell->lattice_step));
   }
 
   LocalHole WithoutVertices() const {

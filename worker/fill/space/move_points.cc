@@ -10,7 +10,6 @@
 #include <set>
 
 #include "common/mesh/box_tree.h"
-#include "common/mesh/rounding.h"
 #include "common/mesh/triangle_shape.h"
 #include "worker/fill/space/patch_crossings.h"
 #include "worker/fill/space/patch_edit.h"
@@ -111,7 +110,7 @@ class PointMover {
     for (const double step : kSteps) {
       for (const auto& [x, y] : kDirections) {
         if (fewest == 0 || tests_ > kMaxTests) break;
-        const Point3 to = Storable(OnSurface(point, from + step * edge * Point3(x, y, 0)));
+        const Point3 to = hole_.Storable(OnSurface(point, from + step * edge * Point3(x, y, 0)));
         if (!reach_[point].contains(to) || taken_.contains(to)) continue;
         const std::vector<SpaceTriangle> star = StarAt(point, to);
         if (!KeepsFacing(around, star) || !KeepsHeight(from, (to - from).norm(), star)) continue;
@@ -163,11 +162,6 @@ class PointMover {
       if (const std::optional<double> height = GroundOver(placed_[t], p)) return p + Point3(0, 0, *height);
     }
     return p;
-  }
-
-  Point3 Storable(const Point3& p) const {
-    return RoundedTo(hole_.cell->float32 ? NumberType::kFloat32 : NumberType::kFloat64,
-                     RoundedToLattice(p, hole_.cell->lattice_step));
   }
 
   // Whether no triangle turns over or loses its area, and what faced up still does.
