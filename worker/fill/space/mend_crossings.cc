@@ -17,7 +17,6 @@
 #include "common/mesh/box_tree.h"
 #include "common/mesh/disjoint_sets.h"
 #include "common/mesh/edge_loops.h"
-#include "common/mesh/rounding.h"
 #include "common/mesh/triangle_shape.h"
 #include "worker/fill/space/cone_fill.h"
 #include "worker/fill/space/crossing_index.h"
@@ -26,6 +25,7 @@
 #include "worker/fill/space/patch_crossings.h"
 #include "worker/fill/space/patch_edit.h"
 #include "worker/fill/space/sound_triangulation.h"
+#include "worker/fill/space/untangle_patch.h"
 
 namespace tilemend {
 namespace {
@@ -113,6 +113,7 @@ class CrossingMender {
         }
       }
     }
+    Try([&] { UntanglePatch(hole_, check_.InputSurface(), check_.EarlierSurface(), is_cancelled_, patch_); }, crossed);
     DropUnusedPoints(hole_, patch_);
     patch_.crossings = static_cast<int32_t>(crossed.size());
     return std::move(patch_);
@@ -310,8 +311,7 @@ class CrossingMender {
   // Where a file can hold a point near p; none (not finite) where there is a corner: both would be written as one
   // vertex.
   Point3 FreePlaceAt(const Point3& p, const CrossingIndex& taken) const {
-    const Point3 place = RoundedTo(hole_.cell->float32 ? NumberType::kFloat32 : NumberType::kFloat64,
-                                   RoundedToLattice(p, hole_.cell->lattice_step));
+    const Point3 place = hole_.Storable(p);
     const auto is_corner_of = [&](const SpaceTriangle& t) { return std::ranges::find(t, place) != t.end(); };
     constexpr double kNowhere = std::numeric_limits<double>::infinity();
     return std::ranges::any_of(taken.triangles(), is_corner_of) ? Point3::Constant(kNowhere) : place;

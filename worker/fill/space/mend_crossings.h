@@ -15,6 +15,7 @@ namespace tilemend {
 //   - first with triangles that cross nothing; in every second round they may cross surface that passes through the
 //     hole's boundary, as every patch does there
 //   - then also with some that cross (Misfits), if they are fewer than those that crossed before
+// At last single points and edges are changed where triangles still cross (untangle_patch.h).
 // A round counts if no more triangles cross than before, crossings that every patch has left aside (CrossedAvoidably).
 // The boundary of the patch stays. What cannot be mended stays as it is, and is counted (LocalPatch::crossings).
 // Returns the patch; without points that no triangle has left, if it has changed.
@@ -22,7 +23,7 @@ namespace tilemend {
 //   is_cancelled  asked before each round and each part of one; true ends it, with what is mended until then
 // Source: Attene 2010, 3.4, where what intersects is removed with growing neighbourhoods and the holes are filled.
 // O(triangles log triangles) where nothing crosses. Else up to 21 rounds, each as much again and for each loop the cube
-// of its length. Loops of more than 150 vertices are not closed.
+// of its length, and what UntanglePatch costs. Loops of more than 150 vertices are not closed.
 LocalPatch MendCrossings(const LocalHole& hole, LocalPatch patch, CrossingCheck& check,
                          const std::function<bool()>& is_cancelled = {});
 

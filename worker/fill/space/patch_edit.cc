@@ -65,11 +65,25 @@ void PatchEdit::PutBack(int32_t t) {
   AddEdges(t);
 }
 
+void PatchEdit::DropFrom(int32_t first) {
+  patch_.triangles.resize(static_cast<size_t>(first));
+  placed_.resize(static_cast<size_t>(first));
+  is_gone_.resize(static_cast<size_t>(first));
+}
+
 void PatchEdit::PutIn(const Triangle& t) {
   patch_.triangles.push_back(t);
   placed_.push_back(Place(t));
   is_gone_.push_back(false);
   AddEdges(count() - 1);
+}
+
+std::vector<int32_t> PatchEdit::TrianglesAt(int32_t v) const {
+  std::vector<int32_t> at;
+  for (int32_t t = 0; t < count(); ++t) {
+    if (!is_gone_[t] && std::ranges::find(Corners(t), v) != Corners(t).end()) at.push_back(t);
+  }
+  return at;
 }
 
 bool PatchEdit::HasOverfullEdge(int32_t t) const {

@@ -38,6 +38,7 @@ class PatchEdit {
   const Triangle& Corners(int32_t t) const { return patch_.triangles[t]; }
   const SpaceTriangle& Placed(int32_t t) const { return placed_[t]; }
   Point3 At(int32_t v) const { return v < hole_.size() ? hole_.positions[v] : patch_.new_points[v - hole_.size()]; }
+  const std::vector<SpaceTriangle>& AllPlaced() const { return placed_; }
   SpaceTriangle Place(const Triangle& t) const { return {At(t[0]), At(t[1]), At(t[2])}; }
 
   int32_t AddPoint(const Point3& p);
@@ -46,9 +47,14 @@ class PatchEdit {
   // All from triangle `first` on, which was put in.
   void TakeOutFrom(int32_t first);
   void PutBack(int32_t t);
+  // Forgets the triangles from `first` on, which were put in and taken out.
+  void DropFrom(int32_t first);
 
   bool IsGone(int32_t t) const { return is_gone_[t]; }
   bool FacesUp(int32_t t) const { return tilemend::FacesUp(placed_[t]); }
+
+  // Those that are not gone, rising. O(triangles).
+  std::vector<int32_t> TrianglesAt(int32_t v) const;
 
   // Whether a triangle has an edge with more than two, those of the surface counted.
   bool HasOverfullEdge(int32_t t) const;

@@ -151,17 +151,23 @@ std::vector<int32_t> CrossingCheck::CrossedAvoidably(const LocalPatch& patch) {
   const auto [triangles, box] = Place(patch);
   Surroundings(box);
   if (!knows_crossed_) LeaveOutCrossed();
-  std::vector<SpaceTriangle> surface, earlier;
-  const auto add = [&](std::span<const SpaceTriangle> all, size_t of_input) {
-    const auto first_earlier = all.begin() + static_cast<ptrdiff_t>(of_input);
-    surface.insert(surface.end(), all.begin(), first_earlier);
-    earlier.insert(earlier.end(), first_earlier, all.end());
-  };
-  add(surroundings_, of_input_);
-  add(through_rim_, of_input_through_rim_);
-  std::vector<int32_t> crossed = AvoidableCrossings(triangles, surface, earlier);
+  std::vector<int32_t> crossed = AvoidableCrossings(triangles, InputSurface(), EarlierSurface());
   AddTaken(patch, crossed);
   return crossed;
+}
+
+std::vector<SpaceTriangle> CrossingCheck::InputSurface() const {
+  std::vector<SpaceTriangle> surface(surroundings_.begin(), surroundings_.begin() + static_cast<ptrdiff_t>(of_input_));
+  surface.insert(surface.end(), through_rim_.begin(),
+                 through_rim_.begin() + static_cast<ptrdiff_t>(of_input_through_rim_));
+  return surface;
+}
+
+std::vector<SpaceTriangle> CrossingCheck::EarlierSurface() const {
+  std::vector<SpaceTriangle> earlier(surroundings_.begin() + static_cast<ptrdiff_t>(of_input_), surroundings_.end());
+  earlier.insert(earlier.end(), through_rim_.begin() + static_cast<ptrdiff_t>(of_input_through_rim_),
+                 through_rim_.end());
+  return earlier;
 }
 
 // Triangles at new points that something else has as well.

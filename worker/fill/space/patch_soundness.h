@@ -53,6 +53,9 @@ class CrossingCheck {
   // Surface that passes through the boundary; empty until Surface(), Crossed() or CrossedAvoidably() is called or a
   // patch is found to cross any. Valid until a patch is next tested.
   std::span<const SpaceTriangle> ThroughRim() const { return through_rim_; }
+  // All known surface of the input, and of patches made before.
+  std::vector<SpaceTriangle> InputSurface() const;
+  std::vector<SpaceTriangle> EarlierSurface() const;
   // Whether any surface was found to pass through the boundary.
   bool rim_is_crossed() const { return !through_rim_.empty(); }
 

@@ -1,0 +1,311 @@
+#include "worker/fill/space/untangle_patch.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "common/mesh/position_index.h"
+#include "common/mesh/triangle_shape.h"
+#include "worker/fill/space/live_crossings.h"
+#include "worker/fill/space/patch_crossings.h"
+#include "worker/fill/space/patch_edit.h"
+#include "worker/fill/space/patch_soundness.h"
+
+namespace tilemend {
+namespace {
+
+constexpr int kMaxPasses = 12;
+constexpr double kMinGain = 0.01;  // of the weight: a pass that gains less is the last
+// Of the edges at a point: how far it goes.
+constexpr double kSteps[] = {0.5, 0.25, 0.1, 0.04, 0.015};
+// Of the same: how far surface that faces up may rise or fall.
+constexpr double kMaxRise = 0.25;
+// An edge is divided no nearer to its ends, as a share of it.
+constexpr double kMinShare = 0.1;
+// Bounds the work: changes tried in a patch, some seconds; triangles around a point that is moved.
+constexpr int kMaxTries = 50'000;
+constexpr size_t kMaxAround = 64;
+
+bool Has(const Triangle& t, int32_t v) { return std::ranges::find(t, v) != t.end(); }
+
+Triangle With(Triangle t, int32_t old_vertex, int32_t new_vertex) {
+  std::ranges::replace(t, old_vertex, new_vertex);
+  return t;
+}
+
+// Triangles that go and others that come.
+struct PatchChange {
+  std::vector<int32_t> out;
+  std::vector<Triangle> in;
+  std::optional<int32_t> gone = {};  // a vertex that no triangle has afterwards
+  std::optional<Point3> point = {};  // of a new vertex, the next one of the patch
+};
+
+class Untangler {
+ public:
+  Untangler(const LocalHole& hole, std::span<const SpaceTriangle> surface, std::span<const SpaceTriangle> earlier,
+            const std::function<bool()>& is_cancelled, LocalPatch& patch)
+      : hole_(hole),
+        is_cancelled_(is_cancelled),
+        patch_(patch),
+        edit_(hole, patch),
+        crossings_(surface, earlier, edit_.AllPlaced()) {
+    for (const Point3& p : hole.positions) taken_.Insert(p);
+    for (const Point3& p : patch.new_points) taken_.Insert(p);
+    for (const std::span<const SpaceTriangle> part : {surface, earlier}) {
+      for (const SpaceTriangle& t : part) std::ranges::for_each(t, [&](const Point3& p) { taken_.Insert(p); });
+    }
+  }
+
+  void Run() {
+    std::set<int32_t> left;  // triangles that cross in the end
+    for (;;) {
+      const std::set<int32_t> cluster = NextCluster(left);
+      if (cluster.empty() || IsAtEnd()) break;
+      const std::set<int32_t> rest = Untangle(cluster);
+      left.insert(rest.begin(), rest.end());
+    }
+    edit_.Finish();
+  }
+
+ private:
+  bool IsAtEnd() const { return tries_ > kMaxTries || (is_cancelled_ && is_cancelled_()); }
+
+  std::set<int32_t> Crossed() const {
+    std::set<int32_t> crossed;
+    for (const PatchCrossing& c : crossings_.Avoidable()) crossed.insert({c.pair.a, c.pair.b});
+    crossed.erase(crossed.begin(), crossed.lower_bound(0));
+    return crossed;
+  }
+
+  // The first triangle that crosses and is not among `left`, and all that hang together with it.
+  std::set<int32_t> NextCluster(const std::set<int32_t>& left) const {
+    const std::vector<PatchCrossing> crossings = crossings_.Avoidable();
+    std::set<int32_t> cluster, corners;
+    const auto add = [&](int32_t t) {
+      if (t < 0 || left.contains(t) || !cluster.insert(t).second) return;
+      corners.insert(edit_.Corners(t).begin(), edit_.Corners(t).end());
+    };
+    const auto belongs = [&](int32_t t) {
+      return t >= 0 && (cluster.contains(t) ||
+                        std::ranges::any_of(edit_.Corners(t), [&](int32_t v) { return corners.contains(v); }));
+    };
+    for (size_t before = 0; before == 0 || before != cluster.size();) {
+      before = cluster.size();
+      for (const auto& [pair, points] : crossings) {
+        if (!cluster.empty() && !belongs(pair.a) && !belongs(pair.b)) continue;
+        add(pair.a);
+        add(pair.b);
+      }
+      if (cluster.empty()) break;
+    }
+    return cluster;
+  }
+
+  // Returns those that cross afterwards instead of the cluster.
+  std::set<int32_t> Untangle(const std::set<int32_t>& cluster) {
+    std::set<int32_t> others = Crossed(), now = cluster;
+    for (const int32_t t : cluster) others.erase(t);
+    made_.clear();
+    for (int pass = 0; pass < kMaxPasses && !now.empty(); ++pass) {
+      const double before = crossings_.weight();
+      for (const int32_t t : now) {
+        if (!edit_.IsGone(t) && !IsAtEnd()) Improve(t);
+      }
+      now = Crossed();
+      std::erase_if(now, [&](int32_t t) { return others.contains(t); });
+      if (crossings_.weight() > (1 - kMinGain) * before) break;
+    }
+    if (now.size() <= cluster.size()) return now;
+    UndoAll();
+    return cluster;
+  }
+
+  void UndoAll() {
+    for (; !made_.empty(); made_.pop_back()) {
+      const auto& [first, out] = made_.back();
+      crossings_.Undo(out, first);
+      edit_.TakeOutFrom(first);
+      edit_.DropFrom(first);
+      for (const int32_t t : out) edit_.PutBack(t);
+    }
+  }
+
+  // Makes the change at a triangle after which least crosses, if that is less than now.
+  void Improve(int32_t t) {
+    best_.reset();
+    least_ = crossings_.weight();
+    std::vector<Point3> points;  // of the curves on the triangle
+    for (const PatchCrossing& c : crossings_.Avoidable()) {
+      if (c.pair.a == t || c.pair.b == t) points.insert(points.end(), c.points.begin(), c.points.end());
+    }
+    const SpaceTriangle& p = edit_.Placed(t);
+    if (points.empty()) points.assign(p.begin(), p.end());
+    const Point3 middle =
+        std::accumulate(points.begin(), points.end(), Point3(Point3::Zero())) / static_cast<double>(points.size());
+    const Triangle corners = edit_.Corners(t);
+    for (const int32_t v : corners) {
+      if (v >= hole_.size()) TryAtPoint(v);
+    }
+    for (int k = 0; k < 3; ++k) TryAtEdge(corners[k], corners[(k + 1) % 3], middle);
+    PatchChange divide{{t}, {}};
+    for (const int32_t v : corners) divide.in.push_back(With(corners, v, NextPoint()));
+    for (const Point3& place : {Point3((p[0] + p[1] + p[2]) / 3), middle}) TryPlaces(divide, place, SizeOf(p));
+    if (best_) Make(*best_);
+  }
+
+  static double SizeOf(const SpaceTriangle& t) { return std::sqrt(TwiceVectorArea(t).norm()); }
+
+  int32_t NextPoint() const { return hole_.size() + static_cast<int32_t>(patch_.new_points.size()); }
+
+  void TryAtPoint(int32_t v) {
+    const std::vector<int32_t> star = edit_.TrianglesAt(v);
+    if (star.size() > kMaxAround) return;
+    std::set<int32_t> around;
+    PatchChange move{star, {}, v};
+    for (const int32_t t : star) {
+      around.insert(edit_.Corners(t).begin(), edit_.Corners(t).end());
+      move.in.push_back(With(edit_.Corners(t), v, NextPoint()));
+    }
+    around.erase(v);
+    double edges = 0;
+    for (const int32_t w : around) edges += (edit_.At(w) - edit_.At(v)).norm();
+    TryPlaces(move, edit_.At(v), edges / static_cast<double>(around.size()));
+    if (hole_.level) return;  // water would rise to what it merges with
+    for (const int32_t w : around) {
+      PatchChange merge{star, {}, v};
+      for (const int32_t t : star) {
+        if (!Has(edit_.Corners(t), w)) merge.in.push_back(With(edit_.Corners(t), v, w));
+      }
+      Try(merge);
+    }
+  }
+
+  //   middle  of the curves on a triangle at the edge
+  void TryAtEdge(int32_t a, int32_t b, const Point3& middle) {
+    std::vector<int32_t> sides = edit_.TrianglesAt(a);
+    std::erase_if(sides, [&](int32_t t) { return !Has(edit_.Corners(t), b); });
+    if (sides.size() != 2) return;
+    PatchChange divide{sides, {}};
+    std::vector<int32_t> tips;
+    for (const int32_t t : sides) {
+      const Triangle& c = edit_.Corners(t);
+      for (const int32_t end : {a, b}) divide.in.push_back(With(c, end, NextPoint()));
+      tips.push_back(*std::ranges::find_if(c, [&](int32_t v) { return v != a && v != b; }));
+    }
+    const Eigen::Vector3d along = edit_.At(b) - edit_.At(a);
+    const double share = (middle - edit_.At(a)).dot(along) / along.squaredNorm();
+    const Point3 place = edit_.At(a) + std::clamp(share, kMinShare, 1 - kMinShare) * along;
+    TryPlaces(divide, place, along.norm() / 2);
+    if (!edit_.MayJoin(tips[0], tips[1])) return;
+    Try({sides, {With(edit_.Corners(sides[0]), a, tips[1]), With(edit_.Corners(sides[1]), b, tips[0])}});
+  }
+
+  // With its new point at a place and around it; at the water's level if the place is there.
+  void TryPlaces(PatchChange change, const Point3& place, double size) {
+    const bool is_water = hole_.WaterLevelAt(place.head<2>()) == hole_.Storable(place).z();
+    const auto try_at = [&](const Point3& p) {
+      change.point = hole_.Storable(p);
+      if (is_water) change.point->z() = *hole_.WaterLevelAt(p.head<2>());
+      if (taken_.Find(*change.point) < 0) Try(change);
+    };
+    try_at(place);
+    for (const double step : kSteps) {
+      for (int i = 0; i < 27; ++i) {
+        const Eigen::Vector3d way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        if (!way.isZero()) try_at(place + step * size * way.normalized());
+      }
+    }
+  }
+
+  void Try(const PatchChange& change) {
+    std::vector<SpaceTriangle> in;
+    for (const Triangle& t : change.in) {
+      if (IsOfSurface(hole_, t)) return;
+      SpaceTriangle& placed = in.emplace_back();
+      for (int k = 0; k < 3; ++k) placed[k] = t[k] == NextPoint() ? *change.point : edit_.At(t[k]);
+      if (!HasArea(placed)) return;
+    }
+    if (in.empty() || !KeepsSurface(change, in)) return;
+    ++tries_;
+    const double weight = crossings_.WeightWith(change.out, in);
+    if (weight >= least_ || !KeepsManifold(change)) return;
+    least_ = weight;
+    best_ = change;
+  }
+
+  // Whether surface that faces up still does, about where it was. Walls and what lies beside them are free.
+  bool KeepsSurface(const PatchChange& change, const std::vector<SpaceTriangle>& in) const {
+    double edges = 0;
+    for (const int32_t t : change.out) {
+      const SpaceTriangle& p = edit_.Placed(t);
+      if (!FacesUp(p)) return true;
+      for (int k = 0; k < 3; ++k) edges += (p[(k + 1) % 3] - p[k]).norm() / 3;
+    }
+    const double most = kMaxRise * edges / static_cast<double>(change.out.size());
+    const auto is_near = [&](const SpaceTriangle& t, const std::optional<Point3>& p) {
+      return !p || std::abs(HeightOver(t, *p).value_or(0)) <= most;
+    };
+    const std::optional<Point3> gone = change.gone ? std::optional(edit_.At(*change.gone)) : std::nullopt;
+    return std::ranges::all_of(change.out, [&](int32_t t) { return is_near(edit_.Placed(t), change.point); }) &&
+           std::ranges::all_of(in, [&](const SpaceTriangle& t) { return FacesUp(t) && is_near(t, gone); });
+  }
+
+  // A point that merges with another may leave an edge with more than two triangles.
+  bool KeepsManifold(const PatchChange& change) {
+    if (change.point) return true;
+    const int32_t first = edit_.count();
+    Put(change);
+    bool keeps = true;
+    for (int32_t t = first; t < edit_.count(); ++t) keeps = keeps && !edit_.HasOverfullEdge(t);
+    edit_.TakeOutFrom(first);
+    edit_.DropFrom(first);
+    for (const int32_t t : change.out) edit_.PutBack(t);
+    return keeps;
+  }
+
+  void Put(const PatchChange& change) {
+    for (const int32_t t : change.out) edit_.TakeOut(t);
+    for (const Triangle& t : change.in) edit_.PutIn(t);
+  }
+
+  void Make(const PatchChange& change) {
+    const int32_t first = edit_.count();
+    if (change.point) {
+      edit_.AddPoint(*change.point);
+      taken_.Insert(*change.point);
+    }
+    Put(change);
+    const std::vector<SpaceTriangle> placed = edit_.AllPlaced();
+    crossings_.Change(change.out, std::span(placed).subspan(static_cast<size_t>(first)));
+    made_.emplace_back(first, change.out);
+  }
+
+  const LocalHole& hole_;
+  const std::function<bool()>& is_cancelled_;
+  LocalPatch& patch_;
+  PatchEdit edit_;
+  LiveCrossings crossings_;
+  PositionIndex taken_;  // where there is, or was, a vertex
+  std::vector<std::pair<int32_t, std::vector<int32_t>>>
+      made_;  // changes: the first triangle that came, those that went
+  std::optional<PatchChange> best_;
+  double least_ = 0;  // its weight
+  int tries_ = 0;
+};
+
+}  // namespace
+
+void UntanglePatch(const LocalHole& hole, std::span<const SpaceTriangle> surface,
+                   std::span<const SpaceTriangle> earlier, const std::function<bool()>& is_cancelled,
+                   LocalPatch& patch) {
+  Untangler(hole, surface, earlier, is_cancelled, patch).Run();
+}
+
+}  // namespace tilemend
