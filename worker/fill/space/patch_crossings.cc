@@ -86,10 +86,9 @@ bool LiesBeyondAnEdge(const SpaceTriangle& other, const SpaceTriangle& t) {
   for (int k = 0; k < 3; ++k) {
     const Point3 &on = t[k], &end = t[(k + 1) % 3];
     const Eigen::Vector3d outward = (end - on).cross(normal);
-    if (!IsAhead(t[(k + 2) % 3], on, -outward)) continue;  // a needle, whose normal is none
-    if (std::ranges::all_of(other, [&](const Point3& p) { return p == on || p == end || IsAhead(p, on, outward); })) {
-      return true;
-    }
+    const auto is_beyond = [&](const Point3& p) { return p == on || p == end || IsAhead(p, on, outward); };
+    // Else t is a needle, whose normal is none.
+    if (std::ranges::all_of(other, is_beyond) && IsAhead(t[(k + 2) % 3], on, -outward)) return true;
   }
   return false;
 }
