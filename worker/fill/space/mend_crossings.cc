@@ -36,7 +36,7 @@ struct Reach {
   int rings = 0;
   bool steep_only = false;
 };
-constexpr Reach kMendReaches[] = {{0, false}, {1, true}, {1, false}, {3, true}, {2, false}, {6, true}, {4, false}};
+constexpr Reach kMendReaches[] = {{0, false}, {1, true}, {1, false}, {3, true}, {2, false}};
 // A longer loop is not closed: its triangulation takes the cube of its length.
 constexpr size_t kLongestLoop = 150;
 // Of the mean edge of what is taken out: how far surface that faces up may move there along the vertical.

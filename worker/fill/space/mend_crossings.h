@@ -22,7 +22,7 @@ namespace tilemend {
 //   patch         sound otherwise (FaultOf)
 //   is_cancelled  asked before each round and each part of one; true ends it, with what is mended until then
 // Source: Attene 2010, 3.4, where what intersects is removed with growing neighbourhoods and the holes are filled.
-// O(triangles log triangles) where nothing crosses. Else up to 21 rounds, each as much again and for each loop the cube
+// O(triangles log triangles) where nothing crosses. Else up to 15 rounds, each as much again and for each loop the cube
 // of its length, and what UntanglePatch costs. Loops of more than 150 vertices are not closed.
 LocalPatch MendCrossings(const LocalHole& hole, LocalPatch patch, CrossingCheck& check,
                          const std::function<bool()>& is_cancelled = {});
