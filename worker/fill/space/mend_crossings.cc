@@ -31,7 +31,8 @@ namespace tilemend {
 namespace {
 
 // How many rings of triangles around those that cross are taken out, and whether only steep ones: so walls and cut
-// folds go before the surface beside them.
+// folds go before the surface beside them. More than one ring leaves out what ends at the outline of a tile: walls
+// there stay near the neighbour's.
 struct Reach {
   int rings = 0;
   bool steep_only = false;
@@ -99,6 +100,7 @@ class CrossingMender {
     first_through_rim_ = static_cast<int32_t>(surface_.size());
     surface_.insert(surface_.end(), check.ThroughRim().begin(), check.ThroughRim().end());
     surface_tree_ = TreeOver(surface_);
+    FindOutline();
   }
 
   LocalPatch Run(std::vector<int32_t> crossed) {
@@ -130,6 +132,14 @@ class CrossingMender {
       crossed = std::move(now);
     } else {
       patch_ = std::move(before);
+    }
+  }
+
+  void FindOutline() {
+    at_outline_.assign(static_cast<size_t>(hole_.size()), false);
+    for (const RegionSegment& s : hole_.inner_edges) at_outline_[s.from] = at_outline_[s.to] = true;
+    for (const RegionSegment& s : hole_.segments) {
+      if (hole_.TrianglesBeside(s.from, s.to) == 0) at_outline_[s.from] = at_outline_[s.to] = true;
     }
   }
 
@@ -178,12 +188,14 @@ class CrossingMender {
     std::vector<bool> taken(static_cast<size_t>(edit.count()), false);
     std::vector<bool> is_near(static_cast<size_t>(hole_.size()) + patch_.new_points.size(), false);
     for (const int32_t t : crossed) taken[t] = true;
+    const auto is_at_outline = [&](int32_t v) { return v < hole_.size() && at_outline_[v]; };
     for (int ring = 0; ring < reach.rings; ++ring) {
       for (int32_t t = 0; t < edit.count(); ++t) {
         for (const int32_t v : edit.Corners(t)) is_near[v] = is_near[v] || taken[t];
       }
       for (int32_t t = 0; t < edit.count(); ++t) {
         if (taken[t] || edit.IsGone(t) || (reach.steep_only && edit.FacesUp(t))) continue;
+        if (reach.rings > 1 && std::ranges::any_of(edit.Corners(t), is_at_outline)) continue;
         taken[t] = std::ranges::any_of(edit.Corners(t), [&](int32_t v) { return is_near[v]; });
       }
     }
@@ -370,6 +382,7 @@ class CrossingMender {
   Misfits misfits_ = Misfits::kNone;
   bool may_cross_through_rim_ = false;
   std::vector<bool> is_crossed_;
+  std::vector<bool> at_outline_;  // of each vertex of the hole: it is on the tile's outline, or a neighbour's
 };
 
 }  // namespace

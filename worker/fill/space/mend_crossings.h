@@ -15,6 +15,7 @@ namespace tilemend {
 //   - first with triangles that cross nothing; in every second round they may cross surface that passes through the
 //     hole's boundary, as every patch does there
 //   - then also with some that cross (Misfits), if they are fewer than those that crossed before
+// What ends at the outline of a tile is taken out only next to what crosses, so that it stays near the neighbour's.
 // At last single points and edges are changed where triangles still cross (untangle_patch.h).
 // A round counts if no more triangles cross than before, crossings that every patch has left aside (CrossedAvoidably).
 // The boundary of the patch stays. What cannot be mended stays as it is, and is counted (LocalPatch::crossings).
