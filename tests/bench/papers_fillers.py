@@ -250,8 +250,9 @@ def part_fillers(a, folder):
     for kind in filler_bench.FORTY:
         for rim in filler_bench.RIMS[:7] if a.quick else filler_bench.RIMS:
             results += by_filler(a, f'fillers-{kind}-{rim}', every, kind, rim, folder)
-    full, printed = a.steps.write_table('fillers', filler_bench.table(results)), a.steps.write_table('fillers-printed', as_printed(a, results, folder))
+    full = a.steps.write_table('fillers', filler_bench.table(results))
+    a.steps.write_table('fillers-printed', as_printed(a, results, folder))
     a.steps.write_table('fillers-curved', other_curved(a, folder))
     return (measure.verdict('each filler on the same holes', f'{len(results) // len(filler_bench.FILLERS)} made holes', 'compared', ''),
             'Ten holes each on four surfaces, 10 to 403 edges. Error: distance over the hole\'s radius.\n\n' + papers_short.fillers(full) +
-            '\n\n' + ahead_of_default(results) + '\n\nWith `--front-steps printed`:\n\n' + papers_short.printed_steps(printed))
+            '\n\n' + ahead_of_default(results))

@@ -1,6 +1,6 @@
 """The tables of docs/papers.md, made of the full tables of the experiments, and where the papers' equations are in the sources."""
 import measure
-from summaries import cells_of, number
+from summaries import cells_of
 
 SPANS = {'closed': slice(1, 2), 'I': slice(2, 6), 'II': slice(6, 10)}  # columns of the tables of holes by type
 
@@ -36,7 +36,7 @@ def accuracy(table):
 
 
 def sun(table):
-    return columns(table, (0, 1, 3, 6, 9, 10, 11))
+    return columns(table, (0, 1, 3, 6, 9, 10))
 
 
 def xu(tables):
@@ -56,11 +56,6 @@ def curvature(table):
 
 def fillers(table):
     return columns(table, (0, 2, 3, 4, 6, 8, 9), lambda row: row[1] == 'all')
-
-
-def printed_steps(table):
-    """With the default of --front-merge."""
-    return columns(table, (0, 2, 3, 5, 7, 8), lambda row: number(row[1]) == 0.6)
 
 
 WANG, FRONT, HOLE, SEAM = 'worker/papers/wang', 'worker/papers/front', 'coordinator/plan/hole', 'coordinator/plan/seam'

@@ -37,7 +37,8 @@ PARTS = {'tables': ('Wang 2021, tables 1 to 5: holes by type', papers_wang.part_
          'zhang': ('Zhang 2022, table 2: kinds of holes', papers_fillers.part_zhang, False),
          'fillers': ('All fillers on the same holes', papers_fillers.part_fillers, False)}
 HEAD = ('# The papers\' experiments again\n\nExperiments of the papers on made stand-ins for their data; `scripts/reproduce.sh` measures and writes this page. '
-        '[Choices where the papers say nothing](decisions/2026-11-22-published-fillers.md).\n\n## Equations in the code\n\n')
+        '[Choices where the papers say nothing](decisions/2026-11-22-published-fillers.md).\n\n')
+EQUATIONS = '## Equations in the code\n\n'
 VERDICTS = '\n\n## Experiments\n\nWhat is printed, the stand-in, the verdict, what is found here:\n\n'
 EPILOGUE = ('Examples:\n'
             '  scripts/reproduce.sh                        everything, an hour or more, 12 GB of disk and 4 GB of memory\n'
@@ -51,8 +52,23 @@ EPILOGUE = ('Examples:\n'
 def page_text(sections):
     """`sections`: name -> lines of the table of verdicts (measure.verdict), text."""
     present = [(name, *sections[name]) for name in PARTS if name in sections]
+    texts, stamp = with_one_stamp([text for _, _, text in present])
+    present = [(name, lines, text) for (name, lines, _), text in zip(present, texts)]
     rows = [item(line, anchor(text)) for _, lines, text in present for line in lines.splitlines()]
-    return HEAD + papers_short.sources_list() + VERDICTS + '\n'.join(rows) + '\n\n' + '\n\n'.join(f'<!-- {name} -->\n{text}' for name, _, text in present) + '\n'
+    return HEAD + (f'Measured on {stamp}.\n\n' if stamp else '') + EQUATIONS + papers_short.sources_list() + VERDICTS + '\n'.join(rows) + '\n\n' + '\n\n'.join(f'<!--{name}-->\n{text}' for name, _, text in present) + '\n'
+
+
+STAMP = re.compile(r'\n\n([^\n]*), load ([^\n;]*)(; program [^\n]*)\.\Z')  # machine, load, program: the end of a section
+
+
+def with_one_stamp(texts):
+    """The sections without their stamps, and one stamp for all; unchanged, and none, if more than the load differs."""
+    stamps = [STAMP.search(text) for text in texts]
+    if not all(stamps) or len({(s[1], s[3]) for s in stamps}) != 1:
+        return texts, ''
+    loads = sorted((load for s in stamps for load in s[2].split(' to ')), key=float)
+    load = loads[0] if loads[0] == loads[-1] else f'{loads[0]} to {loads[-1]}'
+    return [STAMP.sub('', text) for text in texts], f'{stamps[0][1]}, load {load}{stamps[0][3]}'
 
 
 def anchor(section):
@@ -73,7 +89,9 @@ def kept(page):
     with open(page, encoding='utf-8') as file:
         text = file.read()
     rows = re.findall(r'^- \[(.*?)\]\(#([^)]*)\) \((.*)\): \*\*(.*?)\*\*(?:; (.*))?$', text, re.MULTILINE)
-    sections = {m[1]: m[2].strip() for m in re.finditer(r'<!-- (\w+) -->\n(.*?)(?=<!-- \w+ -->\n|\Z)', text, re.DOTALL)}
+    sections = {m[1]: m[2].strip() for m in re.finditer(r'<!--(\w+)-->\n(.*?)(?=<!--\w+-->\n|\Z)', text, re.DOTALL)}
+    if stamp := re.search(r'^Measured on (.*)\.$', text, re.MULTILINE):
+        sections = {name: f'{section}\n\n{stamp[1]}.' for name, section in sections.items()}
     return {name: (''.join(f'{printed} | {" | ".join(rest)}\n' for printed, target, *rest in rows if target == anchor(section)), section) for name, section in sections.items()}
 
 

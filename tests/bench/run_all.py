@@ -144,7 +144,7 @@ def runs(name, a):
 
 def put(page, name, text):
     """The page with `text` between the markers of `name`."""
-    begin, end = f'<!-- {name} begin -->', f'<!-- {name} end -->'
+    begin, end = f'<!--{name}-begin-->', f'<!--{name}-end-->'
     if begin not in page or end not in page:
         raise SystemExit(f'{PAGE}: no markers for {name}')
     return re.sub(re.escape(begin) + '.*?' + re.escape(end), lambda _: f'{begin}\n{text}\n{end}', page, flags=re.DOTALL)
