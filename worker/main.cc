@@ -38,6 +38,7 @@
 #include "worker/service/scene_stages.h"
 #include "worker/service/task_memory.h"
 #include "worker/service/worker.h"
+#include "worker/service/worker_id.h"
 
 namespace tilemend {
 namespace {
@@ -82,7 +83,7 @@ absl::StatusOr<WorkerOptions> OptionsFromFlags(const Flags& flags) {
     TILEMEND_ASSIGN_OR_RETURN(const int64_t threads, flags.Integer("threads", 1, 1024));
     options.threads = static_cast<int>(threads);
   }
-  options.prefetch = options.threads;
+  options.prefetch = options.threads + 2;
   TILEMEND_RETURN_IF_ERROR(CheckAddress(flags.Text("coordinator")));
   const Security security = SecurityFromFlags(flags);
   TILEMEND_RETURN_IF_ERROR(CheckChannelSecurity(security, flags.Text("coordinator")));

@@ -1,19 +1,14 @@
 #include "worker/service/worker.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <exception>
 #include <optional>
-#include <random>
 #include <set>
 #include <utility>
 
 #include "absl/random/random.h"
 #include "absl/strings/str_cat.h"
-#include "absl/strings/str_format.h"
 #include "common/rpc/input_parts.h"
 #include "common/rpc/limits.h"
 #include "common/rpc/status_proto.h"
@@ -22,6 +17,7 @@
 #include "common/util/heap.h"
 #include "common/util/status_macros.h"
 #include "common/util/version.h"
+#include "worker/service/worker_id.h"
 
 namespace tilemend {
 namespace {
@@ -34,18 +30,7 @@ constexpr int kMostTries = 6;
 
 constexpr char kNotYet[] = "has not reached its coordinator yet";
 
-std::string NewSecret() {
-  std::random_device random;
-  return absl::StrFormat("%08x%08x%08x%08x", random(), random(), random(), random());
-}
-
 }  // namespace
-
-std::string NewWorkerId() {
-  std::array<char, 256> host{};
-  if (gethostname(host.data(), host.size() - 1) != 0) host[0] = '?';
-  return absl::StrFormat("%s-%d-%06x", host.data(), getpid(), std::random_device()() & 0xffffff);
-}
 
 Worker::Worker(const WorkerOptions& options, std::unique_ptr<WorkLink> link, StageRunner runner,
                MetricsRegistry& metrics)
@@ -84,7 +69,7 @@ void Worker::SetMode(Mode mode) {
       held->cancel.Cancel();
     }
   }
-  if (waiting_call_ != nullptr) waiting_call_->Interrupt();
+  CallNow();
   changed_.notify_all();
 }
 
@@ -114,7 +99,8 @@ bool Worker::SyncOnce(absl::Duration& backoff) {
   const std::unique_ptr<SyncCall> call = link_->NewSync();
   v1::SyncRequest request;
   {
-    std::lock_guard<std::mutex> lock(mutex_);
+    std::unique_lock<std::mutex> lock(mutex_);
+    RestWhileBusy(lock);
     if (mode_ == Mode::kAbandoned) return false;
     request = NextRequest();
     // With something to report the answer comes at once: no reason to interrupt.
@@ -140,6 +126,22 @@ bool Worker::SyncOnce(absl::Duration& backoff) {
   }
   if (absl::IsCancelled(response.status()) || absl::IsAborted(response.status())) return true;  // call again
   return AfterFailure(response.status(), backoff);
+}
+
+void Worker::RestWhileBusy(std::unique_lock<std::mutex>& lock) {
+  constexpr std::chrono::milliseconds kRest(100);
+  news_.wait_for(lock, kRest, [this] {
+    const bool is_busy = std::ssize(held_) > options_.threads + options_.prefetch / 2;
+    size_t bytes = 0;
+    for (const auto& [token, finished] : finished_) bytes += finished.output().content().size();
+    const bool has_looked = std::ranges::any_of(seen_, [](const auto& seen) { return !seen.second.looking(); });
+    return !is_busy || bytes > kInlineBlobBytes || has_looked || mode_ != Mode::kRunning;
+  });
+}
+
+void Worker::CallNow() {
+  if (waiting_call_ != nullptr) waiting_call_->Interrupt();
+  news_.notify_one();
 }
 
 bool Worker::AfterFailure(const absl::Status& status, absl::Duration& backoff) {
@@ -208,13 +210,11 @@ v1::SyncRequest Worker::NextRequest() {
   size_t bytes = 0;
   for (const auto& [token, finished] : finished_) {
     bytes += finished.output().content().size();
-    if (bytes > kMaxInlineBytesPerSync) break;
-    *request.add_finished() = finished;
-  }
-  // What is finished but did not fit is still held in the coordinator's eyes.
-  size_t position = 0;
-  for (const auto& [token, finished] : finished_) {
-    if (position++ >= static_cast<size_t>(request.finished_size())) *request.add_held() = finished.ref();
+    if (bytes <= kMaxInlineBytesPerSync) {
+      *request.add_finished() = finished;
+    } else {
+      *request.add_held() = finished.ref();  // still held in the coordinator's eyes
+    }
   }
   request.set_draining(mode_ >= Mode::kDraining);
   request.set_wait_ms(static_cast<int32_t>(absl::ToInt64Milliseconds(kMaxPoll)));
@@ -265,7 +265,7 @@ void Worker::Look(const v1::JobFolders& folders) {
   v1::FoldersSeen seen = options_.look(folders);
   std::lock_guard<std::mutex> lock(mutex_);
   seen_[folders.job()] = std::move(seen);
-  if (waiting_call_ != nullptr) waiting_call_->Interrupt();
+  CallNow();
 }
 
 void Worker::DropHeld(uint64_t token) {
@@ -339,7 +339,7 @@ bool Worker::TakeReport(const Held& held, const v1::FinishedTask& report) {
     (report.has_output() ? metrics.finished : metrics.failed)->Increment();
     finished_[token] = report;
   }
-  if (waiting_call_ != nullptr) waiting_call_->Interrupt();
+  CallNow();
   return !held.dropped;
 }
 

@@ -53,9 +53,6 @@ struct WorkerOptions {
   Log* log = Log::Null();                                                      // outlives the worker
 };
 
-// "host-pid-random".
-std::string NewWorkerId();
-
 // Thread-safe.
 class Worker {
  public:
@@ -89,6 +86,10 @@ class Worker {
 
   void SyncLoop();
   bool SyncOnce(absl::Duration& backoff);  // false: the end
+  // Waits 100 ms at most while there are tasks for all threads and half of those that are to wait for one: so that one
+  // call reports several results, and none is made to be interrupted when a task ends.
+  void RestWhileBusy(std::unique_lock<std::mutex>& lock);
+  void CallNow();  // with the lock held: there is something to tell
   bool AfterFailure(const absl::Status& status, absl::Duration& backoff);
   v1::SyncRequest NextRequest();  // with the lock held
   void Take(const v1::SyncRequest& request, v1::SyncResponse response);
@@ -126,6 +127,7 @@ class Worker {
 
   std::mutex mutex_;
   std::condition_variable changed_;
+  std::condition_variable news_;  // for the thread that calls
   Mode mode_ = Mode::kRunning;
   bool ended_ = false;
   absl::Status end_status_;

@@ -12,103 +12,18 @@
 #include <string>
 #include <thread>
 
-#include "common/metrics/prometheus_registry.h"
 #include "common/rpc/limits.h"
 #include "common/rpc/status_proto.h"
 #include "common/store/digest.h"
 #include "common/util/error_info.h"
-#include "tests/worker/service/fake_link.h"
+#include "tests/worker/service/worker_fixture.h"
 #include "tilemend/v1/stages.pb.h"
 
 namespace tilemend {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::MatchesRegex;
 using ::testing::SizeIs;
-
-absl::StatusOr<std::string> Echo(Stage, const std::string& input, const CancelToken&) { return "out of " + input; }
-
-// Runs until it is cancelled.
-absl::StatusOr<std::string> UntilCancelled(Stage, const std::string&, const CancelToken& cancel) {
-  while (!cancel.cancelled()) std::this_thread::yield();
-  return absl::CancelledError("cancelled");
-}
-
-v1::TaskRef Ref(uint64_t token) {
-  v1::TaskRef ref;
-  ref.set_job("job");
-  ref.set_task(static_cast<int64_t>(token));
-  ref.set_attempt_token(token);
-  return ref;
-}
-
-v1::Task TaskOf(uint64_t token, const std::string& input) {
-  v1::Task task;
-  *task.mutable_ref() = Ref(token);
-  task.set_stage(static_cast<v1::Stage>(Stage::kFill));
-  task.mutable_input()->set_content(input);
-  task.mutable_input()->set_size(static_cast<int64_t>(input.size()));
-  return task;
-}
-
-v1::SyncResponse Start(const std::vector<v1::Task>& tasks) {
-  v1::SyncResponse response;
-  for (const v1::Task& task : tasks) *response.add_start() = task;
-  return response;
-}
-
-v1::SyncResponse Keep(const v1::SyncRequest& request) {
-  v1::SyncResponse response;
-  *response.mutable_keep() = request.held();
-  return response;
-}
-
-v1::SyncResponse Acknowledge(const v1::SyncRequest& request) {
-  v1::SyncResponse response = Keep(request);
-  for (const v1::FinishedTask& finished : request.finished()) *response.add_acknowledged() = finished.ref();
-  return response;
-}
-
-// A call with results is never interrupted: the answer comes at once. So a worker must have told all before it is left.
-v1::SyncResponse AcknowledgementOf(const v1::Task& task) {
-  v1::SyncResponse response;
-  *response.add_acknowledged() = task.ref();
-  return response;
-}
-
-bool HasFinished(const v1::SyncRequest& request) { return request.finished_size() > 0; }
-bool HoldsNothing(const v1::SyncRequest& request) { return request.held_size() == 0 && !HasFinished(request); }
-
-class WorkerTest : public testing::Test {
- protected:
-  std::unique_ptr<Worker> NewWorker(StageRunner runner, int threads = 1) {
-    WorkerOptions options;
-    options.id = "w";
-    options.threads = threads;
-    options.prefetch = 1;
-    options.first_backoff = backoff_;
-    options.max_backoff = backoff_;
-    options.patience = patience_;
-    options.on_end = [this] { ends_.fetch_add(1); };
-    return std::make_unique<Worker>(options, coordinator_.NewLink(), std::move(runner), metrics_);
-  }
-
-  // What the worker reports of one task.
-  v1::FinishedTask Run(StageRunner runner, const v1::Task& task) {
-    const auto worker = NewWorker(std::move(runner));
-    coordinator_.Answer(Start({task}));
-    const v1::SyncRequest request = coordinator_.Answer(AcknowledgementOf(task), HasFinished);
-    worker->Abandon();
-    return request.finished(0);
-  }
-
-  FakeCoordinator coordinator_;
-  PrometheusRegistry metrics_;
-  absl::Duration backoff_ = absl::Milliseconds(1);
-  absl::Duration patience_ = absl::InfiniteDuration();
-  std::atomic<int> ends_ = 0;
-};
 
 TEST_F(WorkerTest, AppendsThePartsThatAnInputNames) {
   v1::GroundInput head, part;
@@ -124,53 +39,6 @@ TEST_F(WorkerTest, AppendsThePartsThatAnInputNames) {
   EXPECT_EQ(whole.position_size(), 1);
   ASSERT_EQ(whole.rasters_size(), 1);
   EXPECT_EQ(whole.rasters(0).square(), 2);
-}
-
-TEST_F(WorkerTest, EndsWithTheErrorWhereItsCoordinatorIsOutOfReachForTooLong) {
-  patience_ = absl::Milliseconds(3);
-  const auto worker = NewWorker(Echo);
-  for (int call = 0; call < 4; ++call) coordinator_.Answer(absl::ResourceExhaustedError("no thread"));
-  EXPECT_EQ(worker->Join(), absl::ResourceExhaustedError("no thread"));
-  EXPECT_EQ(ends_, 1);
-}
-
-TEST_F(WorkerTest, CountsCallsInVainFromTheLastAnswer) {
-  patience_ = absl::Milliseconds(3);
-  const auto worker = NewWorker(Echo);
-  for (int call = 0; call < 8; ++call) {
-    coordinator_.Answer(call % 3 == 2 ? absl::StatusOr<v1::SyncResponse>(v1::SyncResponse())
-                                      : absl::ResourceExhaustedError("no thread"));
-  }
-  EXPECT_EQ(ends_, 0);
-  worker->Abandon();
-  EXPECT_TRUE(worker->Join().ok());
-  EXPECT_EQ(ends_, 1);
-}
-
-absl::Status TooManyCalls(const std::string& retry_after_s) {
-  return WithErrorInfo(absl::ResourceExhaustedError("no room"), {"TOO_MANY_CALLS", {{"retry_after_s", retry_after_s}}});
-}
-
-TEST_F(WorkerTest, ACoordinatorWithoutRoomIsNotOutOfReach) {
-  patience_ = absl::Milliseconds(3);
-  const auto worker = NewWorker(Echo);
-  for (int call = 0; call < 8; ++call) coordinator_.Answer(TooManyCalls("0"));
-  EXPECT_EQ(worker->WhyNotReady(), "");
-  worker->Abandon();
-}
-
-TEST_F(WorkerTest, WaitsForAsLongAsItIsToldBeforeItCallsAgain) {
-  const auto worker = NewWorker(Echo);
-  coordinator_.Answer(TooManyCalls("1"));
-  const absl::Time begin = absl::Now();
-  coordinator_.Answer(v1::SyncResponse());
-  EXPECT_GE(absl::Now() - begin, absl::Milliseconds(900));
-  worker->Abandon();
-}
-
-TEST(NewWorkerIdTest, NamesHostAndProcessAndIsNew) {
-  EXPECT_THAT(NewWorkerId(), MatchesRegex(".+-[0-9]+-[0-9a-f]+"));
-  EXPECT_NE(NewWorkerId(), NewWorkerId());
 }
 
 TEST_F(WorkerTest, SaysWhoItIsAndWhatItTakes) {
@@ -414,35 +282,6 @@ TEST_F(WorkerTest, EndsWithTheReasonIfItIsRefused) {
     coordinator_.Answer(refusal);
     EXPECT_EQ(worker->Join(), refusal);
     EXPECT_THAT(metrics_.Text(), HasSubstr("tilemend_worker_connected 0\n"));
-  }
-}
-
-TEST_F(WorkerTest, CallsAgainWhenTheCoordinatorCannotBeReached) {
-  const auto worker = NewWorker(Echo);
-  uint64_t sequence = 0;
-  for (const absl::Status& lost : {absl::UnavailableError("gone"), absl::DeadlineExceededError("slow"),
-                                   absl::AbortedError("a newer call"), absl::InternalError("?")}) {
-    const v1::SyncRequest request = coordinator_.Answer(lost);
-    EXPECT_GT(request.sequence(), sequence);
-    sequence = request.sequence();
-  }
-  coordinator_.Answer(v1::SyncResponse());
-  coordinator_.Answer(v1::SyncResponse());
-  EXPECT_THAT(metrics_.Text(), HasSubstr("tilemend_worker_connected 1\n"));
-  worker->Abandon();
-}
-
-TEST_F(WorkerTest, APauseEndsWithTheWorker) {
-  backoff_ = absl::Hours(1);
-  for (const bool drain : {false, true}) {
-    const auto worker = NewWorker(Echo);
-    coordinator_.Answer(absl::UnavailableError("gone"));
-    if (drain) {
-      worker->Drain();  // nothing is held and nothing to tell: no need to be released
-    } else {
-      worker->Stop();
-    }
-    EXPECT_TRUE(worker->Join().ok());
   }
 }
 
