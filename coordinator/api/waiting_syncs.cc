@@ -12,12 +12,14 @@ WaitingSyncs::~WaitingSyncs() {
     const ClusterLock lock(cluster_.mutex);
     quits_ = true;
     cluster_.work_changed.notify_all();
+    cluster_.work_changed.Wake();
   }
   thread_.join();
 }
 
 void WaitingSyncs::Add(std::shared_ptr<WorkerSync> sync) {
   const uint64_t number = ++last_;
+  if (waiting_.empty()) seen_ = cluster_.work_changed.count();
   deadlines_.emplace(sync->deadline, number);
   workers_.emplace(sync->request.worker(), number);
   if (deadlines_.begin()->second == number) cluster_.work_changed.Wake();
@@ -35,10 +37,8 @@ void WaitingSyncs::Look(const std::string& worker) {
 // Others get the lock between two calls.
 void WaitingSyncs::Run() {
   ClusterLock lock(cluster_.mutex);
-  uint64_t seen = 0;  // what changed before this thread ran counts too
   while (!quits_ || !waiting_.empty()) {
-    const bool has_changed = cluster_.work_changed.count() != seen;
-    seen = cluster_.work_changed.count();
+    const bool has_changed = cluster_.work_changed.count() != std::exchange(seen_, cluster_.work_changed.count());
     const SteadyTime now = std::chrono::steady_clock::now();
     for (const uint64_t number : has_changed ? All() : Due(now)) {
       TryOne(number);
@@ -46,7 +46,11 @@ void WaitingSyncs::Run() {
       lock.lock();
     }
     const SteadyTime idle = std::chrono::steady_clock::now() + absl::ToChronoMilliseconds(kMaxPoll);
-    cluster_.work_changed.WaitUntil(lock, seen, deadlines_.empty() ? idle : deadlines_.begin()->first);
+    if (!waiting_.empty()) {
+      cluster_.work_changed.WaitUntil(lock, seen_, deadlines_.begin()->first);
+    } else if (!quits_) {
+      cluster_.work_changed.SleepUntil(lock, idle);
+    }
   }
 }
 

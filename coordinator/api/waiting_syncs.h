@@ -62,6 +62,7 @@ class WaitingSyncs {
   std::set<std::pair<SteadyTime, uint64_t>> deadlines_;
   std::set<std::pair<std::string, uint64_t>> workers_;
   uint64_t last_ = 0;
+  uint64_t seen_ = 0;  // changes that all of them were tried after
   bool quits_ = false;
   std::thread thread_;  // last: it uses the others
 };
