@@ -17,6 +17,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -58,6 +59,12 @@ struct NewTask {
   std::string input;                    // bytes; they name the parts (common/rpc/input_parts.h)
   std::vector<std::string> avoid = {};  // workers that get the task only if no other may have it
   std::vector<InputPart> parts = {};
+  std::string digest = {};  // of `input` (Sha256Hex); "" if not known
+
+  void SetInput(std::string bytes) {
+    input = std::move(bytes);
+    digest.clear();
+  }
 };
 
 // The bytes that a worker's stage gets: the input and its parts.

@@ -53,7 +53,8 @@ std::vector<TaskSpec> SpecsOf(std::vector<NewTask>& tasks) {
   std::vector<TaskSpec> specs;
   specs.reserve(tasks.size());
   for (NewTask& task : tasks) {
-    specs.push_back({task.cell, task.stage, Sha256Hex(task.input), {}, {}, std::move(task.avoid)});
+    if (task.digest.empty()) task.digest = Sha256Hex(task.input);
+    specs.push_back({task.cell, task.stage, std::move(task.digest), {}, {}, std::move(task.avoid)});
   }
   return specs;
 }

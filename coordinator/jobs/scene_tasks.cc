@@ -179,7 +179,7 @@ absl::Status SceneTasks::AddHelp(NewTask& task) const {
   v1::AssembleInput help;
   help.set_stamp(surveyed.stamp());
   help.set_link_tile(spec_.link());
-  help.AppendToString(&task.input);  // as one message: its other fields stay as they are
+  task.SetInput(task.input + help.SerializeAsString());  // as one message: its other fields stay as they are
   return absl::OkStatus();
 }
 

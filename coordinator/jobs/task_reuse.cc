@@ -10,11 +10,9 @@
 namespace tilemend {
 namespace {
 
+// Precondition: the task has its digest.
 std::string KeyOf(const NewTask& task) {
-  Sha256 sha;
-  sha.Update(absl::StrCat(BuildId(), "\n", std::string(StageName(task.stage)), "\n"));
-  sha.Update(task.input);
-  return sha.FinishHex();
+  return Sha256Hex(absl::StrCat(BuildId(), "\n", std::string(StageName(task.stage)), "\n", task.digest));
 }
 
 std::string WithKnownSurvey(const std::string& bytes, const std::string& known) {
@@ -40,12 +38,13 @@ std::optional<StageResult> TaskReuse::Recall(NewTask& task, int32_t number) {
   ++tasks_;
   if (task.stage == Stage::kAssemble) ++tiles_;
   if (!log_ || task.stage == Stage::kMeasure) return std::nullopt;
+  task.digest = Sha256Hex(task.input);
   std::string key = KeyOf(task);
   std::optional<std::string> known = log_->Find(key);
   if (known && task.stage == Stage::kSurvey) {
-    task.input = WithKnownSurvey(task.input, *known);
+    task.SetInput(WithKnownSurvey(task.input, *known));
   } else if (known && task.stage == Stage::kAssemble) {
-    task.input = WithKnownFiles(task.input, *known);
+    task.SetInput(WithKnownFiles(task.input, *known));
   } else if (known) {
     auto result = DecodeResult({task.cell, task.stage, *std::move(known)});
     if (result.ok() && CheckKnownOutput(task.input, result->output).ok()) {
