@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
+#include <span>
 #include <string>
 
 #include "absl/strings/str_cat.h"
+#include "common/mesh/vertex_lists.h"
 
 namespace tilemend {
 namespace {
@@ -35,12 +37,22 @@ Edges EdgesOf(const HolePatch& patch, size_t rim_vertices) {
   const auto number = [&](int32_t corner) {
     return static_cast<uint32_t>(corner >= 0 ? corner : static_cast<int64_t>(rim_vertices) - 1 - corner);
   };
+  // At the lower end of each edge the other half of its key: few, which takes a third of the time to sort all.
+  const VertexLists halves(rim_vertices + patch.new_points.size(), [&](const auto& use) {
+    for (const Triangle& t : patch.triangles) {
+      for (int k = 0; k < 3; ++k) {
+        const uint64_t key = EdgeKey(number(t[k]), number(t[(k + 1) % 3]));
+        use(static_cast<int32_t>(key >> 32), static_cast<int32_t>(key & UINT32_MAX));
+      }
+    }
+  });
   Edges edges;
   edges.reserve(3 * patch.triangles.size());
-  for (const Triangle& t : patch.triangles) {
-    for (int k = 0; k < 3; ++k) edges.push_back(EdgeKey(number(t[k]), number(t[(k + 1) % 3])));
+  for (uint64_t v = 0; v < rim_vertices + patch.new_points.size(); ++v) {
+    const std::span<const int32_t> of_vertex = halves.Of(static_cast<int32_t>(v));
+    for (const int32_t half : of_vertex) edges.push_back(v << 32 | static_cast<uint32_t>(half));
+    std::sort(edges.end() - std::ssize(of_vertex), edges.end());
   }
-  std::sort(edges.begin(), edges.end());
   return edges;
 }
 

@@ -10,14 +10,12 @@
 #include <utility>
 
 #include "common/mesh/disjoint_sets.h"
-#include "common/mesh/edge_key.h"
 #include "common/mesh/edge_loops.h"
 #include "common/mesh/position_index.h"
+#include "common/mesh/vertex_lists.h"
 
 namespace tilemend {
 namespace {
-
-uint64_t KeyOf(const RimEdge& e) { return EdgeKey(std::min(e.from, e.to), std::max(e.from, e.to)); }
 
 // Boundary vertices and edges of all tiles, in order of the cells. Every pair of edges that run between the same points
 // is dropped: in opposite directions, two tiles meet there. Points and edges are tidied up as soon as no tile to come
@@ -69,12 +67,13 @@ class RimCollector {
 
   template <typename Passed>
   void DropMatched(const Passed& passed) {
-    std::unordered_map<uint64_t, int32_t> count;
-    count.reserve(rim_.edges.size() - settled_edges_);
     const auto first = rim_.edges.begin() + static_cast<ptrdiff_t>(settled_edges_);
-    for (auto e = first; e != rim_.edges.end(); ++e) ++count[KeyOf(*e)];
+    const VertexLists upper_ends(rim_.points.size(), [&](const auto& use) {
+      for (auto e = first; e != rim_.edges.end(); ++e) use(std::min(e->from, e->to), std::max(e->from, e->to));
+    });
     const auto is_matched = [&](const RimEdge& e) {
-      return (passed(e.from) || passed(e.to)) && count.at(KeyOf(e)) != 1;
+      if (!passed(e.from) && !passed(e.to)) return false;
+      return std::ranges::count(upper_ends.Of(std::min(e.from, e.to)), std::max(e.from, e.to)) != 1;
     };
     rim_.edges.erase(std::remove_if(first, rim_.edges.end(), is_matched), rim_.edges.end());
   }

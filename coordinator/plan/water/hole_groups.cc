@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 namespace tilemend {
 namespace {
@@ -54,15 +53,17 @@ std::vector<std::vector<int32_t>> GroupAllHoles(const Plan& plan) {
 }
 
 std::vector<int32_t> RimVerticesOf(const Plan& plan, const std::vector<int32_t>& holes) {
-  std::set<int32_t> vertices;
+  std::vector<int32_t> vertices;
   for (const int32_t h : holes) {
     ForRimSegments(plan.holes[h], [&](const RimSegment& s) {
       for (const int32_t v : {s.from, s.to}) {
-        if (plan.vertices[v].index >= 0) vertices.insert(v);
+        if (plan.vertices[v].index >= 0) vertices.push_back(v);
       }
     });
   }
-  return {vertices.begin(), vertices.end()};
+  std::ranges::sort(vertices);
+  vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+  return vertices;
 }
 
 std::vector<PlaneSegment> BoundaryOf(const Plan& plan, const std::vector<int32_t>& holes) {

@@ -119,6 +119,7 @@ class WindowedRim {
     std::vector<bool> is_near(windows_.size(), false);
     for (size_t i = 0; i < (windows_.size() + 1) / 2; ++i) is_near[order[i]] = true;
     std::vector<WeightedHeight> far;
+    far.reserve(heights_.size());
     for (size_t e = 0; e < heights_.size(); ++e) {
       if (!is_near[window_of_[e]]) far.push_back(heights_[e]);
     }
