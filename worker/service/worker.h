@@ -1,8 +1,9 @@
 // A worker: asks the coordinator for tasks, runs them on its threads and reports what came out.
 //
-// One thread keeps a Sync call going; of others at most `threads` compute at a time, beside those that read and write
-// (common/util/cores.h). When a task ends the waiting call is interrupted and a new one reports at once. Results are
-// kept and reported again until the coordinator acknowledges them, through any loss of connection.
+// One thread makes Sync calls; of others at most `threads` compute at a time, beside those that read and write
+// (common/util/cores.h). A call waits in the coordinator while there is room for tasks here. When a task ends it is
+// interrupted and a new one reports at once. While more tasks wait than half of `prefetch`, no call is made for up to
+// 100 ms. Results are kept and reported again until the coordinator acknowledges them, through any loss of connection.
 #ifndef TILEMEND_WORKER_SERVICE_WORKER_H_
 #define TILEMEND_WORKER_SERVICE_WORKER_H_
 
