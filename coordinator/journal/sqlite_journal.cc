@@ -31,6 +31,8 @@ struct JournalStatements {
   explicit JournalStatements(const SQLite::Database& opened) : database(opened) {}
 
   const SQLite::Database& database;
+  SQLite::Statement begin{database, "BEGIN IMMEDIATE"};
+  SQLite::Statement commit{database, "COMMIT"};
   SQLite::Statement put_job{database, "INSERT OR REPLACE INTO job VALUES(?,?,?,?,?,?)"};
   SQLite::Statement delete_job{database, "DELETE FROM job WHERE number = ?"};
   SQLite::Statement put_result{database, "INSERT INTO result VALUES(?,?,?,?,?,?,?,?,?)"};
@@ -218,10 +220,10 @@ absl::Status SqliteJournal::ReadAgain(int64_t job) {
 }
 
 void SqliteJournal::Commit(const std::vector<JournalPut>& puts) {
-  SQLite::Transaction transaction(database_, SQLite::TransactionBehavior::IMMEDIATE);
+  With(statements_->begin).exec();
   for (const JournalPut& put : puts) std::visit([this](const auto& p) { Insert(p); }, put);
   if (FailPoint("journal.commit")) throw SQLite::Exception("a sync failed (injected)");
-  transaction.commit();
+  With(statements_->commit).exec();
   is_log_empty_ = false;
 }
 
