@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <utility>
 
-#include "absl/container/btree_map.h"
-#include "absl/container/btree_set.h"
 #include "common/mesh/plane_polygon.h"
 
 namespace tilemend {
@@ -23,7 +23,7 @@ double SignedArea(const std::vector<Point2>& ring) {
 }  // namespace
 
 std::vector<std::vector<int32_t>> RingsOf(const std::vector<RimSegment>& segments) {
-  absl::btree_multiset<std::pair<int32_t, int32_t>> walks;
+  std::multiset<std::pair<int32_t, int32_t>> walks;
   for (const RimSegment& s : segments) {
     if (const auto back = walks.find({s.to, s.from}); back != walks.end()) {
       walks.erase(back);
@@ -34,7 +34,7 @@ std::vector<std::vector<int32_t>> RingsOf(const std::vector<RimSegment>& segment
   std::vector<std::vector<int32_t>> rings;
   while (!walks.empty()) {
     std::vector<int32_t> walk = {walks.begin()->first};
-    absl::btree_map<int32_t, size_t> place = {{walk[0], 0}};
+    std::map<int32_t, size_t> place = {{walk[0], 0}};
     for (auto step = walks.begin(); step != walks.end(); step = walks.lower_bound({walk.back(), INT32_MIN})) {
       if (step->first != walk.back()) break;
       const int32_t to = step->second;
