@@ -31,7 +31,7 @@ FAILPOINTS = ['journal.make', 'journal.commit', 'journal.committed', 'journal.ch
 ONLY_AGAIN = {'restore.swept'}
 LARGEST_FILE = 900000  # bytes: less than the journal's log of 64 small cells, more than any other file of theirs
 STOPPED = 3  # exit code
-IN_FLIGHT = 2 * sum(THREADS)  # tasks that workers hold at most: as many again as they have threads
+IN_FLIGHT = sum(2 * threads + 2 for threads in THREADS)  # tasks that workers hold at most
 
 
 class Stopped(Exception):
