@@ -11,7 +11,7 @@ namespace tilemend {
 
 // Grows with every change that makes a coordinator and a worker of before and after it not understand each other, or
 // give other bytes. One output is the work of one release.
-inline constexpr int32_t kProtocolVersion = 7;
+inline constexpr int32_t kProtocolVersion = 8;
 
 // Bytes of a blob in one message of a stream.
 inline constexpr size_t kMaxChunkBytes = size_t{1} << 20;

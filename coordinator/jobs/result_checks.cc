@@ -21,6 +21,7 @@
 #include "common/store/tile_stamp.h"
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
+#include "coordinator/check/ground_check.h"
 #include "coordinator/check/mesh_outline.h"
 #include "coordinator/check/patch_check.h"
 #include "coordinator/check/sample_check.h"
@@ -193,7 +194,12 @@ absl::Status CheckOutput(const std::string& input_bytes, const v1::SurveyOutput&
 
 absl::Status CheckOutput(const std::string& input_bytes, const v1::GroundOutput& output, TileReading&) {
   TILEMEND_ASSIGN_OR_RETURN(const auto input, ParseResult<v1::GroundInput>(input_bytes));
-  return AsWrong(FromProto(output, input.position_size() / 3).status());
+  std::vector<Point3> vertices;
+  for (int i = 0; i + 2 < input.position_size(); i += 3) {
+    vertices.emplace_back(input.position(i), input.position(i + 1), input.position(i + 2));
+  }
+  const absl::StatusOr<RimGround> rim = FromProto(output, input.position_size() / 3);
+  return AsWrong(rim.ok() ? CheckRimGround(*rim, vertices) : rim.status());
 }
 
 absl::Status CheckOutput(const std::string& input_bytes, const v1::SampleClusterOutput& output, TileReading&) {

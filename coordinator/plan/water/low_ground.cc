@@ -16,6 +16,7 @@ constexpr double kSquareShare = 0.1;                       // of the reach: side
 constexpr double kFreeboard = 0.15;                        // metres that ground stands above water, at least
 constexpr double kSteepest = 0.1;                          // rise / run; what is higher at the reach is an object
 constexpr double kLeastOfAll = 0.05;                       // of all squares; fewer are a jetty or a spike
+constexpr double kWidestSquares = 0.4;                     // of the reach: wider ones tell nothing
 constexpr int64_t kMinSquares = 10;
 
 // The shore of one rim in squares as wide as its reach.
@@ -33,6 +34,11 @@ class ShoreIndex {
   }
 
   const Eigen::AlignedBox2d& box() const { return box_; }
+
+  // Squares of ground reach as far as this rim asks, and are small enough.
+  bool IsToldBy(const RimGround& ground) const {
+    return reach_ <= kSurroundingsReach && ground.side <= kWidestSquares * kSurroundingsReach;
+  }
 
   // A place with surface, on ground as far as that is told.
   void Add(const Point3& p, bool is_ground) {
@@ -92,30 +98,39 @@ class ShoreIndex {
   std::map<Square, Lowest> lowest_;
 };
 
+void AddGround(const RimGround& ground, const std::vector<ShoreIndex*>& shores) {
+  for (const GroundSquare& square : ground.around) {
+    const Point3 middle((square.col + 0.5) * ground.side, (square.row + 0.5) * ground.side, square.height);
+    for (ShoreIndex* shore : shores) shore->Add(middle, true);
+  }
+}
+
+void AddBand(const SurveyRecord& record, std::span<const int32_t> plan_vertex, const std::vector<ShoreIndex*>& shores) {
+  for (size_t i = 0; i < record.band.points.size(); ++i) {
+    const bool is_on_rim = i < plan_vertex.size() && plan_vertex[i] >= 0;
+    if (is_on_rim) continue;
+    for (ShoreIndex* shore : shores) shore->Add(record.band.points[i], false);
+  }
+}
+
 }  // namespace
 
 std::vector<double> LowGroundShares(const Plan& plan, const PlanInput& input, std::span<const Shore> shores) {
   std::vector<ShoreIndex> indices(shores.begin(), shores.end());
   for (const auto& [cell, record] : input.cells) {
-    if (record == nullptr || record->vertex_count == 0 || input.rim_ground.contains(cell)) continue;
-    const Eigen::AlignedBox2d tile(record->lo.head<2>(), record->hi.head<2>());
-    const auto meets = [&](const ShoreIndex& shore) { return shore.box().intersects(tile); };
-    if (std::ranges::none_of(indices, meets)) continue;
-    const auto band = record.WithBand();
-    const std::span<const int32_t> plan_vertex = VerticesOf(plan, cell);
+    if (record == nullptr || record->vertex_count == 0) continue;
+    const auto told = input.rim_ground.find(cell);
+    const RimGround* ground = told == input.rim_ground.end() ? nullptr : &told->second;
+    Eigen::AlignedBox2d tile(record->lo.head<2>(), record->hi.head<2>());
+    tile.min().array() -= kSurroundingsReach;
+    tile.max().array() += kSurroundingsReach;
+    std::vector<ShoreIndex*> by_ground, by_band;
     for (ShoreIndex& shore : indices) {
-      if (!meets(shore)) continue;
-      for (size_t i = 0; i < band->band.points.size(); ++i) {
-        const bool is_on_rim = i < plan_vertex.size() && plan_vertex[i] >= 0;
-        if (!is_on_rim) shore.Add(band->band.points[i], false);
-      }
+      if (!shore.box().intersects(tile)) continue;
+      (ground != nullptr && shore.IsToldBy(*ground) ? by_ground : by_band).push_back(&shore);
     }
-  }
-  for (const auto& [cell, rim] : input.rim_ground) {
-    for (const GroundSquare& square : rim.around) {
-      const Point3 middle((square.col + 0.5) * rim.side, (square.row + 0.5) * rim.side, square.height);
-      for (ShoreIndex& shore : indices) shore.Add(middle, true);
-    }
+    if (!by_ground.empty()) AddGround(*ground, by_ground);
+    if (!by_band.empty()) AddBand(*record.WithBand(), VerticesOf(plan, cell), by_band);
   }
   std::vector<double> shares;
   for (const ShoreIndex& shore : indices) shares.push_back(shore.LowGroundShare());

@@ -20,17 +20,17 @@ struct Shore {
 
 // For each shore the share (0 to 1) of the ground around it that is no higher than the water at the nearest edge: by no
 // more than .15 m, or three times the noise. It looks at squares of 3 m with ground, 4 to 15 m from the shore
-// (RimGround::around). The nearest edge must be at the water. Where edges are long, the distances are 1.5 and 3 mean
-// edges.
+// (RimGround::around). The nearest edge must be at the water.
 //
-// In cells whose ground is not told the vertices of the survey's bands count, off the rims of holes: the lowest in each
-// square of 1.5 m, by no more than three times the noise, as bands end where shores are low. What stands 1.5 m and more
-// above the water is an object there, and tells nothing.
+// The vertices of the survey's bands count instead where these squares are not told or wider than 6 m, or where edges
+// are longer than 5 m: then the distances are 1.5 and 3 mean edges. They lie off the rims of holes; the lowest in each
+// square of 1.5 m counts, by no more than three times the noise, as bands end where shores are low. What stands 1.5 m
+// and more above the water is an object there, and tells nothing.
 //
 // With fewer than ten squares with ground nothing is known, and the share is 0. So it is if no more than 5 % of all
 // squares are no higher: a jetty or a spike.
 //
-// Cost O(n log n) in the squares and the bands' vertices of the cells around, and the shores.
+// Cost O(n log n) in the squares and the bands' vertices of the cells around, for each shore there.
 std::vector<double> LowGroundShares(const Plan& plan, const PlanInput& input, std::span<const Shore> shores);
 
 }  // namespace tilemend

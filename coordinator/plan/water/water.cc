@@ -106,10 +106,10 @@ std::vector<double> LowGroundOf(const std::vector<Basin>& basins, const Plan& pl
   return LowGroundShares(plan, input, shores);
 }
 
-// Of each water that was joined from several of `basins` the one around which most surface is lower than this water, if
-// that is more than around water. Their numbers, ascending.
-std::vector<size_t> NoParts(const std::vector<Basin>& basins, const std::vector<Basin>& joined, const Plan& plan,
-                            const PlanInput& input) {
+// For each water that was joined from several of `basins`: its part with the largest share of low ground, if that
+// exceeds kMaxLowGround. Their numbers, ascending.
+std::vector<size_t> PartsWithLowGround(const std::vector<Basin>& basins, const std::vector<Basin>& joined,
+                                       const Plan& plan, const PlanInput& input) {
   std::vector<size_t> whole_of;
   std::vector<Shore> shores;
   for (const Basin& part : basins) {
@@ -132,18 +132,20 @@ std::vector<size_t> NoParts(const std::vector<Basin>& basins, const std::vector<
   return numbers;
 }
 
-// What has surface around it that is lower than the water, as a yard behind a dyke, joins none.
+// What has ground around it that is no higher than the water, as a yard behind a dyke, joins none. Ends, as each round
+// takes out a basin.
 std::vector<Basin> JoinWater(std::vector<Basin> basins, double least_river, const Plan& plan, const PlanInput& input,
                              const AreaIndex& index) {
   std::vector<Basin> apart;
   while (true) {
     std::vector<Basin> joined = JoinBasins(basins, least_river);
-    const std::vector<size_t> no_parts = NoParts(basins, joined, plan, input);
-    if (no_parts.empty() || index.cancelled()) {
+    const std::vector<size_t> leaving =
+        index.cancelled() ? std::vector<size_t>() : PartsWithLowGround(basins, joined, plan, input);
+    if (leaving.empty()) {
       std::ranges::move(apart, std::back_inserter(joined));
       return joined;
     }
-    for (const size_t b : no_parts | std::views::reverse) {
+    for (const size_t b : leaving | std::views::reverse) {
       apart.push_back(std::move(basins[b]));
       basins.erase(basins.begin() + static_cast<std::ptrdiff_t>(b));
     }

@@ -70,7 +70,11 @@ void LiveCrossings::RemoveFrom(int32_t t, size_t crossings) {
   }
   for (auto last = static_cast<int32_t>(placed_.size()) - 1; last >= t; --last) {
     const Triangle& c = triangles_[last];
-    for (int k = 0; k < 3; ++k) at_edge_.at(KeyOf(c[k], c[(k + 1) % 3])).pop_back();
+    for (int k = 0; k < 3; ++k) {
+      const auto there = at_edge_.find(KeyOf(c[k], c[(k + 1) % 3]));
+      there->second.pop_back();
+      if (there->second.empty()) at_edge_.erase(there);
+    }
     placed_.pop_back();
     triangles_.pop_back();
     is_gone_.pop_back();
@@ -124,7 +128,7 @@ Point3 LiveCrossings::PointOf(const Pierced& pierced) const {
   const SpaceTriangle& t = placed_[pierced.other];
   const Eigen::Vector3d normal = TwiceVectorArea(t);
   const double from = normal.dot(p - t[0]), to = normal.dot(q - t[0]);
-  return from == to ? p : Point3(p + from / (from - to) * (q - p));
+  return from == to ? p : Point3(p + std::clamp(from / (from - to), 0.0, 1.0) * (q - p));
 }
 
 // -1: they do not cross.

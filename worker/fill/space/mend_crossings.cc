@@ -40,6 +40,8 @@ struct Reach {
 constexpr Reach kMendReaches[] = {{0, false}, {1, true}, {1, false}, {3, true}, {2, false}};
 // A longer loop is not closed: its triangulation takes the cube of its length.
 constexpr size_t kLongestLoop = 150;
+// Triangles: with more of them single points and edges are not changed. Tries end after some 50 of them.
+constexpr size_t kMostUntangled = 500;
 // Of the mean edge of what is taken out: how far surface that faces up may move there along the vertical.
 constexpr double kMostOff = 0.25;
 
@@ -115,7 +117,10 @@ class CrossingMender {
         }
       }
     }
-    Try([&] { UntanglePatch(hole_, check_.InputSurface(), check_.EarlierSurface(), is_cancelled_, patch_); }, crossed);
+    if (crossed.size() <= kMostUntangled) {
+      Try([&] { UntanglePatch(hole_, check_.InputSurface(), check_.EarlierSurface(), is_cancelled_, patch_); },
+          crossed);
+    }
     DropUnusedPoints(hole_, patch_);
     patch_.crossings = static_cast<int32_t>(crossed.size());
     return std::move(patch_);

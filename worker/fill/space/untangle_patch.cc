@@ -22,15 +22,17 @@ namespace {
 
 constexpr int kMaxPasses = 12;
 constexpr double kMinGain = 0.01;  // of the weight: a pass that gains less is the last
+constexpr double kMinLess = 1e-9;  // metres: sums in another order differ by less
 // Of the edges at a point: how far it goes.
 constexpr double kSteps[] = {0.5, 0.25, 0.1, 0.04, 0.015};
 // Of the same: how far surface that faces up may rise or fall.
 constexpr double kMaxRise = 0.25;
 // An edge is divided no nearer to its ends, as a share of it.
 constexpr double kMinShare = 0.1;
-// Bounds the work: changes tried in a patch, some seconds; triangles around a point that is moved.
+// Bounds on the work: changes tried in a patch, some 1,000 for a triangle; triangles around a point that is moved.
 constexpr int kMaxTries = 50'000;
 constexpr size_t kMaxAround = 64;
+constexpr int kTriesPerQuestion = 100;  // whether it is cancelled
 
 bool Has(const Triangle& t, int32_t v) { return std::ranges::find(t, v) != t.end(); }
 
@@ -56,6 +58,16 @@ class Untangler {
         patch_(patch),
         edit_(hole, patch),
         crossings_(surface, earlier, edit_.AllPlaced()) {
+    double edges = 0;
+    for (const SpaceTriangle& t : edit_.AllPlaced()) {
+      for (int k = 0; k < 3; ++k) {
+        reach_.extend(t[k]);
+        edges += (t[(k + 1) % 3] - t[k]).norm() / 3;
+      }
+    }
+    const double edge = edges / std::max(1, edit_.count());
+    reach_.min().array() -= edge;
+    reach_.max().array() += edge;
     for (const Point3& p : hole.positions) taken_.Insert(p);
     for (const Point3& p : patch.new_points) taken_.Insert(p);
     for (const std::span<const SpaceTriangle> part : {surface, earlier}) {
@@ -75,7 +87,7 @@ class Untangler {
   }
 
  private:
-  bool IsAtEnd() const { return tries_ > kMaxTries || (is_cancelled_ && is_cancelled_()); }
+  bool IsAtEnd() const { return tries_ > kMaxTries || is_ended_ || (is_cancelled_ && is_cancelled_()); }
 
   std::set<int32_t> Crossed() const {
     std::set<int32_t> crossed;
@@ -145,7 +157,7 @@ class Untangler {
     for (const PatchCrossing& c : crossings_.Avoidable()) {
       if (c.pair.a == t || c.pair.b == t) points.insert(points.end(), c.points.begin(), c.points.end());
     }
-    const SpaceTriangle& p = edit_.Placed(t);
+    const SpaceTriangle p = edit_.Placed(t);  // trying changes lets go of what it is in
     if (points.empty()) points.assign(p.begin(), p.end());
     const Point3 middle =
         std::accumulate(points.begin(), points.end(), Point3(Point3::Zero())) / static_cast<double>(points.size());
@@ -225,6 +237,7 @@ class Untangler {
   }
 
   void Try(const PatchChange& change) {
+    if (is_ended_) return;
     std::vector<SpaceTriangle> in;
     for (const Triangle& t : change.in) {
       if (IsOfSurface(hole_, t)) return;
@@ -232,12 +245,27 @@ class Untangler {
       for (int k = 0; k < 3; ++k) placed[k] = t[k] == NextPoint() ? *change.point : edit_.At(t[k]);
       if (!HasArea(placed)) return;
     }
-    if (in.empty() || !KeepsSurface(change, in)) return;
-    ++tries_;
+    if (in.empty() || !IsWithinReach(change) || !KeepsWater(change, in) || !KeepsSurface(change, in)) return;
+    if (++tries_ % kTriesPerQuestion == 0) is_ended_ = IsAtEnd();
     const double weight = crossings_.WeightWith(change.out, in);
-    if (weight >= least_ || !KeepsManifold(change)) return;
+    if (weight > least_ - kMinLess || !KeepsManifold(change)) return;
     least_ = weight;
     best_ = change;
+  }
+
+  bool IsWater(const SpaceTriangle& t) const {
+    return std::ranges::all_of(t, [&](const Point3& p) { return hole_.WaterLevelAt(p.head<2>()) == p.z(); });
+  }
+
+  // Of the patch as it came in, and an edge around it.
+  bool IsWithinReach(const PatchChange& change) const { return !change.point || reach_.contains(*change.point); }
+
+  // Whether where there was water there still is, and nothing else.
+  bool KeepsWater(const PatchChange& change, const std::vector<SpaceTriangle>& in) const {
+    const auto is_water = [&](int32_t t) { return IsWater(edit_.Placed(t)); };
+    if (std::ranges::none_of(change.out, is_water)) return true;
+    return std::ranges::all_of(change.out, is_water) &&
+           std::ranges::all_of(in, [&](const SpaceTriangle& t) { return IsWater(t); });
   }
 
   // Whether surface that faces up still does, about where it was. Walls and what lies beside them are free.
@@ -292,12 +320,14 @@ class Untangler {
   LocalPatch& patch_;
   PatchEdit edit_;
   LiveCrossings crossings_;
-  PositionIndex taken_;  // where there is, or was, a vertex
+  Eigen::AlignedBox3d reach_;  // of new points
+  PositionIndex taken_;        // where there is, or was, a vertex
   std::vector<std::pair<int32_t, std::vector<int32_t>>>
       made_;  // changes: the first triangle that came, those that went
   std::optional<PatchChange> best_;
   double least_ = 0;  // its weight
   int tries_ = 0;
+  bool is_ended_ = false;  // cancelled
 };
 
 }  // namespace

@@ -45,6 +45,15 @@ TEST(JointGroundTest, TheOwnVerticesKeepTheirs) {
   EXPECT_EQ(rim.ground[1], 2);
 }
 
+TEST(JointGroundTest, TheGroundAroundHolesStays) {
+  RimGround known = Known(1, 2);
+  known.side = 3;
+  known.around = {{4, 5, 6.5F}};
+  const RimGround rim = JointGround(Joint(2, 3), {{{0, 0}, known}}).at({0, 0});
+  EXPECT_EQ(rim.side, 3);
+  EXPECT_EQ(rim.around, known.around);
+}
+
 TEST(JointGroundTest, WhereOneEndKnowsNoGroundTheOtherDoes) {
   const float none = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(JointGround(Joint(8, 9), {{{0, 0}, Known(1, none)}}).at({0, 0}).ground[2], 1);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,14 @@ double ShareAround(const HeightFunction& height, double noise = 0.1) {
     }
   }
   return LowGroundShares(Plan(), scene.Input(), std::vector<Shore>{shore})[0];
+}
+
+// The record of a tile there without a band.
+StoredRecord SomewhereAt(double x, double y) {
+  SurveyRecord record;
+  record.vertex_count = 1;
+  record.lo = record.hi = Point3(x, y, 5);
+  return StoredRecord(std::make_shared<const SurveyRecord>(record));
 }
 
 TEST(LowGroundSharesTest, IsTheShareOfTheSurfaceAround) {
@@ -74,12 +83,28 @@ TEST(LowGroundSharesTest, SurfaceBehindQuaysDoesNotCount) {
   EXPECT_LT(LowGroundShares(Plan(), scene.Input(), std::vector<Shore>{shore})[0], 0.25);
 }
 
+// With edges of 6 m the squares do not reach far enough, and bands tell: there are none.
+TEST(LowGroundSharesTest, LongEdgesAskForMoreThanSquares) {
+  Shore shore;
+  shore.mean_edge = 6;
+  for (double k = 3; k < 60; k += 6) shore.edges.emplace_back(k, 0, 5);
+  PlanInput input;
+  RimGround& rim = input.rim_ground[{0, 0}];
+  rim.side = 3;
+  for (int32_t col = 0; col < 20; ++col) rim.around.push_back({col, 3, 5});
+  input.cells[{0, 0}] = SomewhereAt(30, 0);
+  EXPECT_EQ(LowGroundShares(Plan(), input, std::vector<Shore>{shore})[0], 0);
+  shore.mean_edge = 4;
+  EXPECT_EQ(LowGroundShares(Plan(), input, std::vector<Shore>{shore})[0], 1);
+}
+
 // Lidar has a vertex in each square metre: bands of two rings of triangles tell of no street behind a house.
 TEST(LowGroundSharesTest, GroundBeyondTheBandsCounts) {
   Shore shore;
   shore.mean_edge = 1;
   for (double k = 0.5; k < 10; ++k) shore.edges.emplace_back(k, 0, 5);
   PlanInput input;
+  input.cells[{0, 0}] = SomewhereAt(5, 0);
   RimGround& rim = input.rim_ground[{0, 0}];
   rim.side = 3;
   for (int32_t col = 0; col < 4; ++col) {

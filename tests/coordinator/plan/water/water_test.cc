@@ -365,6 +365,45 @@ TEST(WaterOfMeshesTest, AFewRimVerticesTellTooLittle) {
   EXPECT_EQ(pond.water[0].level, 1.5);
 }
 
+// A canal of 50 x 20 m between banks, and 18 m off a street of 50 x 10 m as high, with ground as low on its other
+// side. Part of their rims is a quay, or a house.
+TEST(WaterWithGroundTest, AStreetBesideACanalIsNoPartOfIt) {
+  const auto height = [](double x, double y) {
+    if (x > 25 && x < 45 && (std::abs(y - 10) < 0.5 || std::abs(y - 58) < 0.5)) return 7.0;
+    const bool is_canal = x > 8.5 && x < 61.5 && y > 9.5 && y < 30.5;
+    const bool is_street = x > 3.5 && x < 71.5 && y > 47.5 && y < 75;
+    return is_canal || is_street ? 5.0 : 7.0;
+  };
+  std::vector<std::string> picture(80, std::string(80, '#'));
+  for (int y = 10; y < 58; ++y) {
+    if (y < 30 || y >= 48) picture[79 - y].replace(10, 50, 50, '.');
+  }
+  const SurveyedScene scene = PictureScene(picture, 80, height);
+  PlanOptions options;
+  options.water.profile.least_lake = 200;
+  PlanInput input = scene.Input();
+  ASSERT_EQ(WatersOf(MakePlan(input, options)), 1);
+  EXPECT_THAT(MakePlan(input, options).water[0].holes, SizeIs(2)) << "their levels agree";
+
+  RimGround& rim = input.rim_ground[{0, 0}];
+  rim.on_object.assign(scene.records.at({0, 0}).vertices.size(), false);
+  rim.ground.assign(rim.on_object.size(), 5);
+  rim.side = 3;
+  for (int32_t row = 0; row < 26; ++row) {
+    for (int32_t col = 0; col < 26; ++col) {
+      const Point2 middle(3 * col + 1.5, 3 * row + 1.5);
+      const bool has_surface = picture[static_cast<size_t>(79 - middle.y())][static_cast<size_t>(middle.x())] == '#';
+      if (has_surface) rim.around.push_back({col, row, static_cast<float>(height(middle.x(), middle.y()))});
+    }
+  }
+  const Plan plan = MakePlan(input, options);
+  ASSERT_EQ(WatersOf(plan), 1) << plan.evidence[0].reason;
+  const WaterBody& canal = *std::ranges::find(plan.water, BodyKind::kWater, &WaterBody::kind);
+  EXPECT_EQ(canal.level, 5);
+  ASSERT_THAT(canal.holes, SizeIs(1));
+  EXPECT_EQ(plan.holes[canal.holes[0]].area, 1000);
+}
+
 // Every large hole has words on what it was taken for.
 TEST(SlopeTest, AHoleOnASlopeIsNoWater) {
   std::vector<std::string> picture(20, std::string(20, '#'));

@@ -85,6 +85,7 @@ TEST_F(UntanglePatchTest, PutsAPointBackThatLiesBeyondTheRim) {
 TEST_F(UntanglePatchTest, KeepsWaterAtItsLevel) {
   hole_.level = 0;
   CloseAbout({0, -5, 0});
+  ASSERT_THAT(Crossed(), Not(IsEmpty()));
   Untangle();
   EXPECT_THAT(patch_.new_points, Each(Truly([](const Point3& p) { return p.z() == 0; })));
 }
