@@ -2,20 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <vector>
+
+#include "tests/support/ground_rasters.h"
 
 namespace tilemend {
 namespace {
-
-GroundRaster Raster(int32_t col, int32_t row, int32_t cols, int32_t rows,
-                    const std::function<double(int32_t, int32_t)>& height) {
-  GroundRaster raster = EmptyRaster(1, col, row, cols, rows);
-  for (int32_t r = row; r < row + rows; ++r) {
-    for (int32_t c = col; c < col + cols; ++c) raster.heights[raster.IndexOf(c, r)] = static_cast<float>(height(c, r));
-  }
-  return raster;
-}
 
 // A house on flat ground.
 double House(int32_t c, int32_t r) { return c >= 40 && c < 52 && r >= 40 && r < 52 ? 7 : 0; }

@@ -4,23 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <vector>
 
+#include "tests/support/ground_rasters.h"
 #include "worker/ground/rim_objects.h"
 
 namespace tilemend {
 namespace {
-
-GroundRaster Raster(int32_t col, int32_t row, int32_t cols, int32_t rows,
-                    const std::function<double(int32_t, int32_t)>& height) {
-  GroundRaster raster = EmptyRaster(1, col, row, cols, rows);
-  for (int32_t r = row; r < row + rows; ++r) {
-    for (int32_t c = col; c < col + cols; ++c) raster.heights[raster.IndexOf(c, r)] = static_cast<float>(height(c, r));
-  }
-  return raster;
-}
 
 // A street along x between houses, 6 m wide, with a hole from 45 to 55.
 double Street(int32_t c, int32_t r) {

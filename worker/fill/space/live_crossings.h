@@ -21,9 +21,8 @@ struct PatchCrossing {
   std::vector<Point3> points;  // where edges of the one pass through the other
 };
 
-// Finds what AvoidableCrossings finds. A change is tried at the cost of the curves that change (WeightWith), and made at
-// that of all curves. Triangles of the patch
-// are numbered as they come.
+// Finds what AvoidableCrossings finds. A change is tried at the cost of the curves that change (WeightWith), and made
+// at that of all curves. Triangles of the patch are numbered as they come.
 class LiveCrossings {
  public:
   //   surface  of the input

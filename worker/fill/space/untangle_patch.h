@@ -20,9 +20,9 @@ namespace tilemend {
 //   surface       of the input, all within reach
 //   earlier       other patches
 //   is_cancelled  asked before each triangle, and now and then between; true ends it
-// The boundary of the patch stays. Surface that faces up goes on to do so. With each change it rises or falls by at most
-// a quarter of the edges there. Water stays as it is. New points lie in the box of the patch, or an edge around it.
-// Deterministic. O(n log n), and for each of at most kMaxTries changes tried the triangles near it and the curves
+// The boundary of the patch stays. Surface that faces up goes on to do so. With each change it rises or falls by at
+// most a quarter of the edges there. Water stays as it is. New points lie in the box of the patch, or an edge around
+// it. Deterministic. O(n log n), and for each of at most kMaxTries changes tried the triangles near it and the curves
 // through it; for each that is made, all curves.
 void UntanglePatch(const LocalHole& hole, std::span<const SpaceTriangle> surface,
                    std::span<const SpaceTriangle> earlier, const std::function<bool()>& is_cancelled,
