@@ -10,8 +10,8 @@
 namespace tilemend {
 
 // With squares of 1 m.
-inline GroundRaster Raster(int32_t col, int32_t row, int32_t cols, int32_t rows,
-                           const std::function<double(int32_t, int32_t)>& height) {
+inline GroundRaster BuiltRaster(int32_t col, int32_t row, int32_t cols, int32_t rows,
+                                const std::function<double(int32_t, int32_t)>& height) {
   GroundRaster raster = EmptyRaster(1, col, row, cols, rows);
   for (int32_t r = row; r < row + rows; ++r) {
     for (int32_t c = col; c < col + cols; ++c) raster.heights[raster.IndexOf(c, r)] = static_cast<float>(height(c, r));

@@ -29,7 +29,7 @@ std::vector<Point3> RimOfStreet() {
 }
 
 TEST(GroundAroundHolesTest, HasTheStreetAndNoRoof) {
-  const std::vector<GroundRaster> rasters = {Raster(0, 0, 100, 100, Street)};
+  const std::vector<GroundRaster> rasters = {BuiltRaster(0, 0, 100, 100, Street)};
   const RimGround rim = GroundAtRim(RimOfStreet(), rasters);
   EXPECT_EQ(rim.side, 3);
   double farthest = 0;  // metres from the hole
@@ -44,14 +44,15 @@ TEST(GroundAroundHolesTest, HasTheStreetAndNoRoof) {
 }
 
 TEST(GroundAroundHolesTest, WithoutAHoleThereIsNone) {
-  const std::vector<GroundRaster> rasters = {Raster(0, 0, 100, 100, [](int32_t c, int32_t) { return c < 50 ? 0 : 7; })};
+  const std::vector<GroundRaster> rasters = {
+      BuiltRaster(0, 0, 100, 100, [](int32_t c, int32_t) { return c < 50 ? 0 : 7; })};
   EXPECT_TRUE(GroundAtRim(std::vector<Point3>{{20.5, 20.5, 0}, {99.5, 99.5, 0}}, rasters).around.empty());
 }
 
 // Of two tiles, each with its own vertices and the rasters in reach: together the squares within the reach are there.
 TEST(GroundAroundHolesTest, ItIsTheSameHoweverTheSceneIsCut) {
-  const std::vector<GroundRaster> parts = {Raster(0, 0, 50, 51, Street), Raster(50, 0, 50, 51, Street),
-                                           Raster(0, 51, 100, 49, Street)};
+  const std::vector<GroundRaster> parts = {BuiltRaster(0, 0, 50, 51, Street), BuiltRaster(50, 0, 50, 51, Street),
+                                           BuiltRaster(0, 51, 100, 49, Street)};
   const std::vector<Point3> rim = RimOfStreet();
   std::vector<Point3> west, east;
   for (const Point3& p : rim) (p.x() < 50 ? west : east).push_back(p);
@@ -59,7 +60,7 @@ TEST(GroundAroundHolesTest, ItIsTheSameHoweverTheSceneIsCut) {
   for (const GroundSquare& square : GroundAtRim(east, parts).around) joined.push_back(square);
   int within = 0;
   for (const GroundSquare& square :
-       GroundAtRim(rim, std::vector<GroundRaster>{Raster(0, 0, 100, 100, Street)}).around) {
+       GroundAtRim(rim, std::vector<GroundRaster>{BuiltRaster(0, 0, 100, 100, Street)}).around) {
     const Point2 middle(3 * square.col + 1.5, 3 * square.row + 1.5);
     const auto is_within = [&](const Point3& p) { return (p.head<2>() - middle).norm() <= kSurroundingsReach; };
     if (std::ranges::none_of(rim, is_within)) continue;
