@@ -11,6 +11,8 @@
 
 namespace tilemend {
 
+inline constexpr double kMaxLowGround = 0.17;  // share, around water
+
 // The rim of what may be water.
 struct Shore {
   std::vector<Point3> edges;  // middles, with the height of the water there; NaN: the edge is higher

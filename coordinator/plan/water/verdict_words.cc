@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "coordinator/plan/water/low_ground.h"
+
 namespace tilemend {
 namespace {
 
@@ -15,7 +17,9 @@ std::string Centimetres(double metres) {
 }
 
 std::string LowGround(double share) {
-  return Rounded(100 * share) + " % of the ground around it is no higher than its rim";
+  if (share == 0) return "no ground near it is as low";
+  const std::string limit = share > kMaxLowGround ? "; water has at most " + Rounded(100 * kMaxLowGround) + " %" : "";
+  return Rounded(100 * share) + " % of the ground near it is as low" + limit;
 }
 
 std::string Agreement(const LevelEvidence& e) {
@@ -49,7 +53,7 @@ std::string ReasonFor(HoleEvidence::Verdict verdict, const Basin& basin, double 
       break;
   }
   if (!basin.evidence.is_enough()) {
-    return "its rim is too short: " + std::to_string(basin.evidence.windows) + " places tell its level, " +
+    return "too little of its rim tells a level: " + std::to_string(basin.evidence.windows) + " places do, " +
            std::to_string(kMinWindows) + " are needed";
   }
   if (!basin.is_level()) {

@@ -26,7 +26,6 @@ namespace {
 
 constexpr double kWallAtWater = 1;      // metres
 constexpr double kJudged = 100;         // m2: smaller holes are not judged unless an area decides, or beside water
-constexpr double kMaxLowGround = 0.17;  // of the ground around water
 
 using Verdict = HoleEvidence::Verdict;
 

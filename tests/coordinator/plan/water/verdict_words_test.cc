@@ -32,23 +32,23 @@ TEST(ReasonForTest, SaysWhyItIsLevelGroundOnly) {
   EXPECT_EQ(
       ReasonFor(Verdict::kLevelGround, noisy, 0.25, kWaterProfiles[0]),
       "its rim is level within the noise of its heights: a dry surface would be 0.05 m off the level in the mean, "
-      "less than three times the noise of 0.10 m; 25 % of the ground around it is no higher than its rim");
+      "less than three times the noise of 0.10 m; 25 % of the ground near it is as low; water has at most 17 %");
   EXPECT_EQ(
       ReasonFor(Verdict::kLake, noisy, 0, kWaterProfiles[0]),
       "its rim is level within the noise of its heights: a dry surface would be 0.05 m off the level in the mean, "
-      "less than three times the noise of 0.10 m; 0 % of the ground around it is no higher than its rim");
+      "less than three times the noise of 0.10 m; no ground near it is as low");
 }
 
 TEST(ReasonForTest, SaysWhyItIsNoWater) {
   Basin basin = LevelBasin();
   EXPECT_EQ(ReasonFor(Verdict::kNoWater, basin, 0.3, kWaterProfiles[0]),
-            "30 % of the ground around it is no higher than its rim");
+            "30 % of the ground near it is as low; water has at most 17 %");
   basin.evidence.disagreement = 1.7;
   EXPECT_EQ(ReasonFor(Verdict::kNoWater, basin, 1, kWaterProfiles[0]),
             "the far sides of the rim differ by 1.70 m in their level, and a dry surface by 2.50 m");
   basin.evidence.windows = 7;
   EXPECT_EQ(ReasonFor(Verdict::kNoWater, basin, 1, kWaterProfiles[0]),
-            "its rim is too short: 7 places tell its level, 20 are needed");
+            "too little of its rim tells a level: 7 places do, 20 are needed");
 }
 
 TEST(DecidedByTest, NamesTheArea) {
