@@ -230,7 +230,7 @@ class Untangler {
     try_at(place);
     for (const double step : kSteps) {
       for (int i = 0; i < 27; ++i) {
-        const Eigen::Vector3d way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        const Eigen::Vector3d way = Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).cast<double>();
         if (!way.isZero()) try_at(place + step * size * way.normalized());
       }
     }
