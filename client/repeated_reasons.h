@@ -8,7 +8,7 @@
 namespace tilemend {
 
 // Numbers reasons that begin alike, up to ": " or their end. The first keeps its text behind "[1]", and an equal one
-// becomes "[1]". Another keeps what follows ": ", up to a comma: "[1] 15 places tell its level". Reasons that stand
+// becomes "[1]". Another keeps what follows ": ", up to a comma: "[1] 15 places tell one". Reasons that stand
 // alone, or are short, stay as they are.
 void ShortenRepeated(const std::vector<std::string*>& reasons);
 

@@ -219,6 +219,7 @@ absl::Status SqliteJournal::ReadAgain(int64_t job) {
   });
 }
 
+// If it throws, the program ends (RequireOfJournal), and SQLite takes back what is open when the file is opened again.
 void SqliteJournal::Commit(const std::vector<JournalPut>& puts) {
   With(statements_->begin).exec();
   for (const JournalPut& put : puts) std::visit([this](const auto& p) { Insert(p); }, put);

@@ -53,7 +53,7 @@ std::string ReasonFor(HoleEvidence::Verdict verdict, const Basin& basin, double 
       break;
   }
   if (!basin.evidence.is_enough()) {
-    return "too little of its rim tells a level: " + std::to_string(basin.evidence.windows) + " places do, " +
+    return "too little of its rim tells a level: " + std::to_string(basin.evidence.windows) + " places tell one, " +
            std::to_string(kMinWindows) + " are needed";
   }
   if (!basin.is_level()) {

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "common/mesh/rounding.h"
 #include "common/records/flat_water.h"
 
 namespace tilemend {
@@ -66,7 +65,7 @@ class WallRaiser {
       if (!hole_.on_object[v] || !simple[v] || IsShared(v) || height < LeastHeight(v) || height > most) continue;
       foot_[v] = hole_.size() + static_cast<int32_t>(patch_.new_points.size());
       Point3& foot = patch_.new_points.emplace_back(hole_.positions[v]);
-      foot.z() = Storable({0, 0, RoundedToLattice(ground_[v], hole_.cell->lattice_step)}).z();
+      foot.z() = hole_.Storable({0, 0, ground_[v]}).z();
     }
   }
 
@@ -92,11 +91,6 @@ class WallRaiser {
 
   double LeastHeight(int32_t v) const { return hole_.level ? kFlatWithin : kLeastHeight * hole_.sizes[v]; }
 
-  // As a file can hold it.
-  Point3 Storable(const Point3& p) const {
-    return RoundedTo(hole_.cell->float32 ? NumberType::kFloat32 : NumberType::kFloat64, p);
-  }
-
   // Moves feet into the hole, as far as the patch stays a height field.
   void LeanWalls() {
     std::vector<Point2> across(hole_.vertices.size(), Point2(0, 0));  // sum of the units across both segments
@@ -111,7 +105,7 @@ class WallRaiser {
       if (foot_[v] < 0 || !(open > kLeastOpen)) continue;
       Point3& foot = patch_.new_points[foot_[v] - hole_.size()];
       foot.head<2>() += kLeanSteps * hole_.cell->lattice_step / open * across[v];
-      foot = Storable(RoundedToLattice(foot, hole_.cell->lattice_step));
+      foot = hole_.Storable(foot);
     }
     while (StraightenFoldedWalls()) {
     }
@@ -189,7 +183,7 @@ class WallRaiser {
     Point3 beside = through;  // at its height, so that water stays level
     const Point2 inward = (At(apex) - through).head<2>();
     beside.head<2>() += std::min(kBeside / inward.norm(), kMostBeside) * inward;
-    beside = Storable(RoundedToLattice(beside, hole_.cell->lattice_step));
+    beside = hole_.Storable(beside);
     const bool has_room =
         Turn(At(a), At(b), beside) > 0 && Turn(At(b), At(apex), beside) > 0 && Turn(At(apex), At(a), beside) > 0;
     if (!has_room) return false;

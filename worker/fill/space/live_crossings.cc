@@ -5,6 +5,7 @@
 #include <set>
 
 #include "common/mesh/disjoint_sets.h"
+#include "common/mesh/edge_key.h"
 #include "common/mesh/triangle_shape.h"
 #include "worker/fill/space/patch_crossings.h"
 #include "worker/fill/space/patch_edit.h"
@@ -17,10 +18,7 @@ constexpr double kPairWeight = 0.1;
 
 bool HasVertex(const Triangle& t, int32_t v) { return std::ranges::find(t, v) != t.end(); }
 
-uint64_t KeyOf(int32_t a, int32_t b) {
-  const auto [low, high] = std::minmax(a, b);
-  return static_cast<uint64_t>(low) << 32 | static_cast<uint64_t>(high);
-}
+uint64_t KeyOf(int32_t a, int32_t b) { return EdgeKey(std::min(a, b), std::max(a, b)); }
 
 }  // namespace
 

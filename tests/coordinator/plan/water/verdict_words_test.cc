@@ -48,7 +48,7 @@ TEST(ReasonForTest, SaysWhyItIsNoWater) {
             "the far sides of the rim differ by 1.70 m in their level, and a dry surface by 2.50 m");
   basin.evidence.windows = 7;
   EXPECT_EQ(ReasonFor(Verdict::kNoWater, basin, 1, kWaterProfiles[0]),
-            "too little of its rim tells a level: 7 places do, 20 are needed");
+            "too little of its rim tells a level: 7 places tell one, 20 are needed");
 }
 
 TEST(DecidedByTest, NamesTheArea) {
