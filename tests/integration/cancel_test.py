@@ -89,6 +89,14 @@ class Attack:
         await_('the fill', lambda: self.bench.tasks_run('"fill"') == self.fills)
         return next(word for word in made.stdout.split() if word.startswith('jobs/'))
 
+    def require_computing(self, name):
+        """Other tests may keep the processors from the workers for a while."""
+        begin = time.time()
+        while is_at_rest(self.bench.workers):
+            require(time.time() - begin < self.limit,
+                    f'no worker computes: {self.bench.told("get", name)}, {self.bench.told("workers")}, '
+                    f'exit codes {[worker.poll() for worker in self.bench.workers]}')
+
     def require_soon(self, what, condition):
         begin = time.time()
         while not condition():
@@ -100,7 +108,7 @@ class Attack:
         before = max(map(megabytes_of, self.bench.workers))
         name = self.begin_fill()
         time.sleep(wait)
-        require(not is_at_rest(self.bench.workers), 'the fill is over: nothing to cancel')
+        self.require_computing(name)
         cancelled = self.bench.client('cancel', name)
         require(cancelled.returncode == 0, cancelled.stderr)
         require(self.bench.told('get', name)['state'] == 'cancelled', 'the job is not cancelled')
