@@ -259,7 +259,7 @@ absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::st
   for (VectorFeature& f : read.features) {
     if (f.polygon.empty()) continue;
     file.areas.push_back({f.water, std::move(f.polygon), f.level, std::move(f.line), f.label, f.kind, f.clear,
-                          f.clear_height.value_or(kClearHeight)});
+                          f.clear_height.value_or(kClearHeight), f.level_sigma, f.is_as_found});
     WarnOfIdleClearHeight(name, f, file);
     f.line.clear();
     DropStrayCentreline(name, file.areas.back(), file);

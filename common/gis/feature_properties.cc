@@ -72,17 +72,21 @@ std::optional<double> MetresOf(std::string_view text) {
   return read.ec == std::errc() && read.ptr == end ? std::optional(value) : std::nullopt;
 }
 
+bool IsNumber(const OGRFeature& feature, int index) {
+  if (index < 0) return false;
+  const OGRFieldDefn& definition = *feature.GetFieldDefnRef(index);
+  const OGRFieldType type = definition.GetType();
+  return (type == OFTReal || type == OFTInteger64 || type == OFTInteger) && definition.GetSubType() != OFSTBoolean;
+}
+
 // A number between two bounds, or text for one.
 std::optional<double> MetresOf(const OGRFeature& feature, const char* property, double low, double high,
                                const char* expected, const std::string& place) {
   const int index = FieldOf(feature, property);
   if (index < 0) return std::nullopt;
-  const OGRFieldDefn& definition = *feature.GetFieldDefnRef(index);
-  const OGRFieldType type = definition.GetType();
-  const bool is_number = type == OFTReal || type == OFTInteger64 || type == OFTInteger;
   std::optional<double> metres;
-  if (is_number && definition.GetSubType() != OFSTBoolean) metres = feature.GetFieldAsDouble(index);
-  if (type == OFTString) metres = MetresOf(feature.GetFieldAsString(index));
+  if (IsNumber(feature, index)) metres = feature.GetFieldAsDouble(index);
+  if (feature.GetFieldDefnRef(index)->GetType() == OFTString) metres = MetresOf(feature.GetFieldAsString(index));
   if (metres && *metres >= low && *metres <= high) return metres;
   RefuseValue(place, property, feature.GetFieldAsString(index), expected);
 }
@@ -107,6 +111,24 @@ std::optional<int64_t> WholeNumberOf(const OGRFeature& feature, const char* prop
 
 std::optional<int64_t> BodyOf(const OGRFeature& feature) {
   return FieldOf(feature, kHoleProperty) < 0 ? std::nullopt : WholeNumberOf(feature, kBodyProperty);
+}
+
+// Of a hole in holes.geojson: whether its level is the program's estimate, and whether all of its water is as found.
+void SetFound(const OGRFeature& feature, VectorFeature& to) {
+  if (FieldOf(feature, kHoleProperty) < 0 || !to.water || to.clear) return;
+  const auto number = [&](const char* property) {
+    const int index = FieldOf(feature, property);
+    return IsNumber(feature, index) ? std::optional(feature.GetFieldAsDouble(index)) : std::nullopt;
+  };
+  const auto word = [&](const char* property) {
+    const int index = FieldOf(feature, property);
+    return index < 0 ? std::string() : WordOf(feature, index);
+  };
+  const bool is_estimate = to.level && to.level == number(kEstimateProperty);
+  if (is_estimate) to.level_sigma = number(kSigmaProperty);
+  const std::string found = word(kTakenForProperty);  // small holes of a body have none
+  to.is_as_found = word(kDecidedByProperty) == kByRim && (found.empty() || word(kKindProperty) == found) &&
+                   (to.level_sigma || (to.kind == WaterKind::kRiver && !to.level));
 }
 
 ReviewDecision DecisionOf(const OGRFeature& feature, const std::string& place) {
@@ -152,6 +174,7 @@ void SetProperties(const OGRFeature& feature, VectorFeature& to) {
                              "a number of metres from 0 to 1000", to.label);
   to.kind = KindOf(feature, to.label);
   to.body = BodyOf(feature);
+  SetFound(feature, to);
 }
 
 void SetDecision(const OGRFeature& feature, VectorFeature& to) {

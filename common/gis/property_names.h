@@ -20,6 +20,14 @@ inline constexpr char kDecisionProperty[] = "decision";
 // Of holes.geojson: the number of the hole, and of the water that it is part of.
 inline constexpr char kHoleProperty[] = "hole";
 inline constexpr char kBodyProperty[] = "body";
+// Of a level that nobody gave: the same again, and its standard deviation. Who changes level_m gives a level.
+inline constexpr char kEstimateProperty[] = "estimate_m";
+inline constexpr char kSigmaProperty[] = "sigma_m";
+// Who said that it is water, kByRim or a polygon, and what it was taken for then.
+inline constexpr char kDecidedByProperty[] = "decided_by";
+inline constexpr char kByRim[] = "rim";
+inline constexpr char kByArea[] = "area";
+inline constexpr char kTakenForProperty[] = "taken_for";
 inline constexpr char kClusterProperty[] = "cluster";  // open holes that are one, over several cells
 
 // The one of these that a property of another name is likely meant for, "" if none. It has the same letters but for

@@ -27,16 +27,18 @@ struct SceneFrame {
 
 // A feature of the file, in metres relative to the scene's origin.
 struct VectorFeature {
-  std::string label;                    // "feature 3 (Pond)", with its layer if there are several
-  PlanePolygon polygon;                 // empty: the feature is a line
-  std::vector<Point2> line;             // of a polygon: its property `centreline`
-  bool water = true;                    // property `water`
-  std::optional<double> level;          // property `level_m`
-  WaterKind kind = WaterKind::kUnsaid;  // property `kind`
-  bool clear = false;                   // property `clear`
-  std::optional<double> clear_height;   // property `clear_height`, metres, >= 0
-  std::optional<int64_t> body;          // of a hole in holes.geojson: property `body`; of a decision `cluster`
-  std::vector<int64_t> holes = {};      // of a decision: property `hole` of each feature that is part of it
+  std::string label;                                 // "feature 3 (Pond)", with its layer if there are several
+  PlanePolygon polygon;                              // empty: the feature is a line
+  std::vector<Point2> line;                          // of a polygon: its property `centreline`
+  bool water = true;                                 // property `water`
+  std::optional<double> level;                       // property `level_m`
+  WaterKind kind = WaterKind::kUnsaid;               // property `kind`
+  bool clear = false;                                // property `clear`
+  std::optional<double> clear_height;                // property `clear_height`, metres, >= 0
+  std::optional<double> level_sigma = std::nullopt;  // of a hole in holes.geojson whose level is still the estimate
+  bool is_as_found = false;                          // of such a hole, that of its water nothing was changed
+  std::optional<int64_t> body;      // of a hole in holes.geojson: property `body`; of a decision `cluster`
+  std::vector<int64_t> holes = {};  // of a decision: property `hole` of each feature that is part of it
   ReviewDecision decision = ReviewDecision::kNone;  // property `decision`
 };
 

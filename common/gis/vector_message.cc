@@ -105,6 +105,7 @@ void Each(Archive& archive, T& item) {
   } else if constexpr (std::is_same_v<Type, VectorFeature>) {
     archive(item.label), archive(item.polygon.rings), archive(item.line), archive(item.water), archive(item.level);
     archive(item.kind), archive(item.clear), archive(item.clear_height), archive(item.body);
+    archive(item.level_sigma), archive(item.is_as_found);
     archive(item.holes), archive(item.decision);
   } else {
     archive(item);

@@ -32,9 +32,10 @@ struct WaterArea {
   // above the level; if `water` is false, everything.
   bool clear = false;
   double clear_height = kClearHeight;
-  // How far the surface inside that is taken out scatters about `level`, metres, where that was measured on it
-  // (waves/clearing.h).
+  // Nobody gave `level`: its standard deviation, metres. Measured on the surface inside that is taken out
+  // (waves/clearing.h), or the estimate of an earlier run, out of its holes.geojson.
   std::optional<double> level_sigma = std::nullopt;
+  bool is_as_found = false;                         // it says what an earlier run found, and nobody changed it
   bool is_mostly_open = false;                      // of its polygon less than half was there as surface
   std::vector<CellId> cleared_cells = {};           // of whose tiles triangles were taken out
   ReviewDecision decision = ReviewDecision::kNone;  // kNone: an area of --water or --clear

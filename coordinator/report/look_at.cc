@@ -46,7 +46,7 @@ std::vector<Judged> JudgedOf(const SceneReportInput& input) {
   return judged;
 }
 
-std::string WhyLookAt(const HoleEvidence& evidence, const Judged& judged) {
+std::string WhyLookAt(const Plan& plan, const HoleEvidence& evidence, const Judged& judged) {
   std::vector<std::string> why;
   const bool is_flat = evidence.verdict != Verdict::kNoWater, is_decided = evidence.area >= 0;
   const bool is_large = judged.area >= kWaterProfiles[0].least_lake;
@@ -55,7 +55,11 @@ std::string WhyLookAt(const HoleEvidence& evidence, const Judged& judged) {
     why.push_back(absl::StrFormat(
         "the standard deviation of its level is %.2f m; a polygon with level_m can set the level", *evidence.sigma));
   }
-  if (is_decided) return absl::StrJoin(why, "; ");
+  if (is_decided) {
+    const std::string& doubt = plan.water_answers[evidence.area].doubt;
+    if (!doubt.empty()) why.push_back(doubt);
+    return absl::StrJoin(why, "; ");
+  }
   if (is_flat && !evidence.is_of_whole_scene && judged.rim < circle) {
     why.push_back(absl::StrFormat("only %.0f m of rim tell the level of %.0f m2; the rest ends at the edge of the area",
                                   judged.rim, judged.area));
@@ -76,7 +80,7 @@ Json LookAtJson(const SceneReportInput& input) {
   for (size_t e = 0; e < judged.size(); ++e) {
     const HoleEvidence& evidence = plan.evidence[e];
     if (judged[e].largest < 0) continue;
-    const std::string why = WhyLookAt(evidence, judged[e]);
+    const std::string why = WhyLookAt(plan, evidence, judged[e]);
     if (why.empty()) continue;
     const PlannedHole& hole = plan.holes[judged[e].largest];
     Json row = {{"hole", judged[e].largest},

@@ -29,6 +29,14 @@ double ErrorIfRight(const SceneReportInput& input, const HoleEvidence& evidence,
   return evidence.sigma.value_or(0) * (tells_all ? 1 : circle / group.rim);
 }
 
+// Of a hole that an area of the user decides on: how far its level is from that of the shore, if it may be a mistake.
+double DoubtOfGiven(const Plan& plan, const ReviewedGroup& group) {
+  const int32_t water = plan.holes[group.largest].water;
+  if (water < 0 || !plan.water[water].level_is_given) return 0;
+  const double off = std::abs(plan.water[water].level - plan.water[water].shore_level);
+  return off > kLevelOff ? off : 0;
+}
+
 bool IsDecided(const Plan& plan, const HoleEvidence& evidence, const ReviewedGroup& group) {
   return evidence.area >= 0 || plan.decisions.contains(group.largest);
 }
@@ -67,7 +75,11 @@ std::vector<ReviewedGroup> ReviewedGroups(const SceneReportInput& input) {
   }
   for (size_t e = 0; e < groups.size(); ++e) {
     const HoleEvidence& evidence = plan.evidence[e];
-    if (groups[e].largest < 0 || IsDecided(plan, evidence, groups[e])) continue;
+    if (groups[e].largest < 0) continue;
+    if (IsDecided(plan, evidence, groups[e])) {
+      groups[e].doubt = DoubtOfGiven(plan, groups[e]);
+      continue;
+    }
     groups[e].doubt = (1 - evidence.chance_wrong) * ErrorIfRight(input, evidence, groups[e]) +
                       evidence.chance_wrong * evidence.dry_difference;
   }

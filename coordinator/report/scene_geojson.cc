@@ -11,6 +11,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "absl/strings/str_split.h"
+#include "common/gis/property_names.h"
 #include "common/mesh/winding/simple_rings.h"
 #include "common/records/water_surface.h"
 #include "coordinator/report/hole_evidence.h"
@@ -166,7 +167,9 @@ void AddWater(const Plan& plan, const PlannedHole& hole, double origin, Json& ro
   }
   if (hole.water < 0) return;
   const WaterBody& body = plan.water[hole.water];
-  if (body.river.stations.empty()) row["level_m"] = body.level + origin;  // exact: it can be given back
+  if (body.river.stations.empty()) row[kLevelProperty] = body.level + origin;  // exact: it can be given back
+  if (!body.level_is_given) row[kEstimateProperty] = row[kLevelProperty];
+  row[kDecidedByProperty] = body.forced ? kByArea : kByRim;
   if (body.kind != BodyKind::kWater) return;
   row["water"] = true;
   row["kind"] = KindOf(body);
@@ -189,10 +192,12 @@ Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h
               {"method", nullptr},
               {"water", nullptr},
               {"kind", nullptr},
-              {"level_m", nullptr},
+              {kLevelProperty, nullptr},
+              {kEstimateProperty, nullptr},
+              {kSigmaProperty, nullptr},
+              {kDecidedByProperty, nullptr},
               {"clear", nullptr},
               {"clear_height", nullptr},
-              {"sigma_m", nullptr},
               {"taken_for", nullptr},
               {"because", nullptr},
               {"body", nullptr},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "common/gis/property_names.h"
 #include "coordinator/report/left_open.h"
 #include "coordinator/report/rounded.h"
 
@@ -56,7 +57,7 @@ Json WaterRows(const SceneReportInput& input) {
                 {"rim_vertices", body.rim_vertices},
                 {"area_m2", Rounded(area, 3)},
                 {"cells", cells.size()},
-                {"decided_by", body.forced ? "area" : "rim"},
+                {"decided_by", body.forced ? kByArea : kByRim},
                 {"kind", body.river.stations.empty() ? "lake" : "river"},
                 {"holes", holes}});
     if (!body.river.stations.empty()) AddRiver(body, row);

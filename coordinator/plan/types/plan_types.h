@@ -165,6 +165,9 @@ struct WaterBody {
   std::string reason = {};      // as HoleEvidence::reason
 };
 
+// Metres: a given level farther from the shore's own may be a mistake.
+inline constexpr double kLevelOff = 1;
+
 inline double LevelAt(const WaterBody& body, const Point2& p, double lattice_step) {
   return body.river.stations.empty() ? body.level : LevelAt(body.river, p, lattice_step);
 }

@@ -44,7 +44,8 @@ std::vector<GivenWater> TakeRiver(const std::vector<Point2>& line, Parts& parts)
     return true;
   });
   for (const GivenPart& part : on) river.parts.push_back(part.number);
-  DescribeRim(EvidenceOf(RimOf(on), {}), evidence.sigma(), river.body);
+  river.evidence = EvidenceOf(RimOf(on), {});
+  DescribeRim(river.evidence, evidence.sigma(), river.body);
   river.body.river = std::move(profile.water);
   river.body.removed_rises = std::move(profile.removed);
   return {std::move(river)};
@@ -68,6 +69,7 @@ std::vector<GivenWater> TakeJointRivers(const WaterArea& area, double min_river,
       is_taken[p] = true;
       river.parts.push_back(parts[p].number);
     }
+    river.evidence = basin.evidence;
     DescribeRim(basin.evidence, basin.river->evidence.sigma(), river.body);
     river.body.river = basin.river->water;
   }
@@ -80,8 +82,8 @@ std::vector<GivenWater> TakeJointRivers(const WaterArea& area, double min_river,
 }
 
 GivenWater LakeOf(const WaterArea& area, const GivenPart& part, double min_river) {
-  GivenWater water{{part.number}, {}};
   const Basin basin = BasinOf(area, part.number, part, min_river);
+  GivenWater water{{part.number}, {}, basin.evidence};
   water.body.level = area.level.value_or(basin.evidence.level);
   water.body.shore_level = basin.evidence.level;
   DescribeRim(basin.evidence, basin.evidence.sigma(), water.body);
@@ -126,7 +128,7 @@ std::vector<GivenWater> WaterOfArea(const WaterArea& area, std::vector<GivenPart
     }
     all.push_back(std::move(water));
   }
-  for (GivenWater& water : all) water.body.forced = true;
+  for (GivenWater& water : all) water.body.forced = !area.is_as_found;
   return all;
 }
 

@@ -21,6 +21,7 @@ struct GivenPart {
 struct GivenWater {
   std::vector<size_t> parts;  // numbers, in the order of the parts
   WaterBody body;             // without its holes; the level is not rounded
+  LevelEvidence evidence;     // of its rim
 };
 
 // The bodies of water in the parts that an area decides on:

@@ -33,6 +33,7 @@ std::string Agreement(const LevelEvidence& e) {
 }  // namespace
 
 std::string DecidedBy(const WaterArea& area) {
+  if (area.is_as_found) return area.label + " says that it is water, as an earlier run found";
   if (area.decision != ReviewDecision::kNone) return "your " + area.label + (area.water ? ": water" : ": ground");
   return area.label + (area.water ? " says that it is water" : " says that it is no water");
 }
@@ -47,7 +48,8 @@ std::string ReasonFor(HoleEvidence::Verdict verdict, const Basin& basin, double 
       return "its rim falls evenly, within " + Centimetres(e.disagreement);
     case HoleEvidence::Verdict::kLevelGround:
       if (basin.area < profile.least_lake)
-        return Agreement(e) + "; smaller than " + Rounded(profile.least_lake) + " m2";
+        return Agreement(e) + "; smaller than " + Rounded(profile.least_lake) +
+               " m2, so not called water; a polygon can say that it is";
       return Agreement(e) + "; " + LowGround(low_ground);
     case HoleEvidence::Verdict::kNoWater:
       break;

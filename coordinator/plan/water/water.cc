@@ -24,8 +24,8 @@
 namespace tilemend {
 namespace {
 
-constexpr double kWallAtWater = 1;      // metres
-constexpr double kJudged = 100;         // m2: smaller holes are not judged unless an area decides, or beside water
+constexpr double kWallAtWater = 1;  // metres
+constexpr double kJudged = 100;     // m2: smaller holes are not judged unless an area decides, or beside water
 
 using Verdict = HoleEvidence::Verdict;
 
@@ -252,7 +252,18 @@ class WaterFinder {
       }
       for (GivenWater& water : WaterOfArea(options_.areas[area], std::move(parts), options_.profile.least_river)) {
         AddBody(water.parts, std::move(water.body));
+        if (options_.areas[area].is_as_found) KeepDoubt(water);
       }
+    }
+  }
+
+  // Who gives an earlier run's holes back unchanged decides nothing: they are as doubtful as before.
+  void KeepDoubt(const GivenWater& water) {
+    for (const size_t g : water.parts) {
+      HoleEvidence& evidence = groups_[g].evidence;
+      evidence.area = -1;
+      evidence.dry_difference = water.evidence.dry_difference;
+      evidence.chance_wrong = ChanceOfError(evidence.verdict, water.evidence);
     }
   }
 

@@ -16,8 +16,6 @@
 namespace tilemend {
 namespace {
 
-// Metres: a given level farther from the shore's own may be a mistake.
-constexpr double kLevelOff = 1;
 constexpr double kSureLevel = 0.25;  // metres of sigma, as in the report's look_at
 constexpr double kReach = 25;        // metres: what is no longer is no reach of a river
 constexpr double kAlong = 0.5;       // of a river's length: a centreline that runs along less may run across it
@@ -66,10 +64,14 @@ std::string Place(const Point2& at) {
   return text;
 }
 
-// "the hole at (3, 4), which is filled as one", or "holes 0, 2 and 3 more, which are decided on together".
+std::string HoleAt(const Plan& plan, int32_t hole) {
+  return "hole " + std::to_string(hole) + " at " + Place(plan.holes[hole].centre);
+}
+
+// "hole 4 at (3, 4), which is filled as one", or "holes 0, 2 and 3 more, which are decided on together".
 std::string NameOf(const Plan& plan, const Body& body) {
   if (body.holes.size() == 1) {
-    return "the hole at " + Place(plan.holes[body.holes.front()].centre) + ", which is filled as one";
+    return HoleAt(plan, body.holes.front()) + ", which is filled as one";
   }
   const size_t named = std::min(body.holes.size(), kMostHolesNamed);
   std::string text = "holes ";
@@ -130,7 +132,7 @@ std::string WhyNoDecision(const Plan& plan, const std::vector<WaterArea>& areas,
   if (share > kDecidingShare && body.decision >= 0)
     return "another after it decides on the same hole: " + areas[body.decision].label;
   if (share > kDecidingShare) {
-    return "it does not decide on the hole at " + Place(plan.holes[body.holes.front()].centre) +
+    return "it does not decide on " + HoleAt(plan, body.holes.front()) +
            ", as most of it lies in another; draw one over that hole alone";
   }
   return "it covers " + Number(100 * share) + " % of " + NameOf(plan, body) + "; to decide on " +
@@ -277,7 +279,7 @@ class Answers {
   }
 
   std::string DoubtOfLevel(const WaterArea& area, const WaterAnswer& answer) const {
-    const std::string level = area.level_sigma ? "the level of the surface in it" : "its level_m";
+    const std::string level = area.clear && area.level_sigma ? "the level of the surface in it" : "its level_m";
     std::string doubt;
     double most = 0;
     for (const int32_t h : answer.holes) {
@@ -288,7 +290,8 @@ class Answers {
       const double allowed = kLevelOff + (area.level_sigma ? kSigmas * body.sigma : 0);
       if (std::abs(off) <= std::max(allowed, most)) continue;
       most = std::abs(off);
-      doubt = level + " puts the water " + Decimals(most) + " m " + (off > 0 ? "above" : "below") + " its shore";
+      doubt = level + " puts the water of " + HoleAt(plan_, h) + " " + Decimals(most) + " m " +
+              (off > 0 ? "above" : "below") + " its shore";
     }
     return doubt;
   }
@@ -366,11 +369,10 @@ class Answers {
   // Why area `a` does not decide on a body; "" if it does.
   std::string WhyNot(int32_t a, const Body& body, double share) const {
     if (areas_[a].decision != ReviewDecision::kNone) return WhyNoDecision(plan_, areas_, a, body, share);
-    const Point2 at = plan_.holes[body.holes.front()].centre;
     const bool is_one_of_them = body.together && SayTheSame(areas_[a], areas_[body.decided_by]);
     if (is_one_of_them) return areas_[a].water ? WhyNoWater(plan_, body) : "";
     if (share <= kDecidingShare) {
-      return "it covers " + Number(100 * share) + " % of the hole at " + Place(at) +
+      return "it covers " + Number(100 * share) + " % of " + HoleAt(plan_, body.holes.front()) +
              ", which is filled as one; to decide on it, draw it over more than half";
     }
     if (body.decided_by != a) return "another after it decides on the same hole: " + areas_[body.decided_by].label;

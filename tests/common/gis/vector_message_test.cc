@@ -16,6 +16,8 @@ VectorFile SomeFile() {
   lake.level = -0.5;
   lake.kind = WaterKind::kLake;
   lake.body = 7;
+  lake.level_sigma = 0.125;
+  lake.is_as_found = true;
   VectorFeature& line = file.features.emplace_back();
   line.line = {{1, 2}, {3, 4}};
   line.water = false;
@@ -37,6 +39,9 @@ TEST(VectorMessageTest, AFileComesBackAsItWas) {
   EXPECT_EQ(read.features[0].level, -0.5);
   EXPECT_EQ(read.features[0].kind, WaterKind::kLake);
   EXPECT_EQ(read.features[0].body, 7);
+  EXPECT_EQ(read.features[0].level_sigma, 0.125);
+  EXPECT_TRUE(read.features[0].is_as_found);
+  EXPECT_FALSE(read.features[1].is_as_found);
   EXPECT_EQ(read.features[1].line, file.features[1].line);
   EXPECT_FALSE(read.features[1].water);
   EXPECT_EQ(read.features[1].level, std::nullopt);

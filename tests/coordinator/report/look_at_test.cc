@@ -12,7 +12,10 @@ using Verdict = HoleEvidence::Verdict;
 
 class LookAtTest : public ::testing::Test {
  protected:
-  LookAtTest() { input_.plan = &plan_; }
+  LookAtTest() {
+    input_.plan = &plan_;
+    plan_.water_answers.resize(1);
+  }
 
   // A judged hole of that area, with that much of original rim.
   void Add(const HoleEvidence& evidence, double area, double rim) {
@@ -55,6 +58,16 @@ TEST_F(LookAtTest, NamesADoubtfulLevelOfAPolygon) {
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_EQ(rows[0]["hole"], 0);
   EXPECT_EQ(rows[0]["why"], "the standard deviation of its level is 0.70 m; a polygon with level_m can set the level");
+}
+
+TEST_F(LookAtTest, NamesAPolygonThatIsLikelyWrong) {
+  HoleEvidence given = {Verdict::kLake, true, 45, std::nullopt, "feature 0 says that it is water"};
+  given.area = 0;
+  Add(given, 200, 60);
+  plan_.water_answers[0].doubt = "its level_m puts the water of hole 0 at (1, 2) 45.0 m above its shore";
+  const Json rows = LookAtJson(input_);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0]["why"], plan_.water_answers[0].doubt);
 }
 
 TEST_F(LookAtTest, SaysWhereTheRimIsShorterThanACircle) {

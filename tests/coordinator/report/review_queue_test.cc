@@ -97,6 +97,20 @@ TEST_F(ReviewQueueTest, WhatTheUserDecidedIsNotInDoubt) {
   EXPECT_EQ(ReviewJson(input_), Json::array());
 }
 
+TEST_F(ReviewQueueTest, AGivenLevelFarFromTheShoreIsInDoubt) {
+  Add(Verdict::kLake, 0.2, 100, 100).area = 0;
+  plan_.holes[0].water = 0;
+  WaterBody& body = plan_.water.emplace_back();
+  body.level_is_given = true;
+  body.shore_level = 3;
+  for (const auto& [level, doubt] : {std::pair(3.9, 0.0), std::pair(48.0, 45.0), std::pair(-42.0, 45.0)}) {
+    body.level = level;
+    EXPECT_EQ(DoubtOf(0), doubt) << level;
+  }
+  body.level_is_given = false;
+  EXPECT_EQ(DoubtOf(0), 0);
+}
+
 TEST_F(ReviewQueueTest, CellsThatWereNotChosenAreNotInTheQueue) {
   Add(Verdict::kLake, 0.2, 100, 100);
   input_.outcome.chosen = {{7, 7}};

@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 
+#include "absl/strings/str_replace.h"
 #include "common/gis/area_file.h"
 #include "coordinator/report/scene_member.h"
 #include "tests/support/temporary_folder.h"
@@ -169,6 +170,35 @@ TEST_F(SceneGeoJsonTest, HolesCanBeGivenBackAsWater) {
   for (const double x : {65, 120}) EXPECT_TRUE(tilemend::Contains(again->areas[0].polygon, {x, 50})) << x;
   EXPECT_FALSE(tilemend::Contains(again->areas[0].polygon, {75, 25})) << "the island";
   EXPECT_THAT(again->warnings, ElementsAre(HasSubstr("holes.geojson: feature 2: holes whose property water is empty")));
+}
+
+// Who gives the file back as it was written gives no level.
+TEST_F(SceneGeoJsonTest, ALevelThatNobodyChangedStaysAnEstimate) {
+  plan_.holes[0].evidence = plan_.holes[1].evidence = 0;
+  plan_.evidence = {{HoleEvidence::Verdict::kLake, true, 12.5, 0.04, "the sides agree"}};
+  const auto given = [&](const std::string& from, const std::string& to) {
+    std::string text = HolesGeoJson(input_, scene_);
+    text = absl::StrReplaceAll(text, {{from, to}});
+    const auto file = ParseWaterFile({text}, "holes.geojson", FrameOf(scene_));
+    EXPECT_TRUE(file.ok()) << file.status();
+    return file->areas.at(0);
+  };
+  const WaterArea same = given(" ", " ");
+  EXPECT_EQ(same.level, 12.5);
+  EXPECT_EQ(same.level_sigma, 0.04);
+  EXPECT_TRUE(same.is_as_found);
+  const WaterArea other = given(R"("level_m":412.5)", R"("level_m":412.75)");
+  EXPECT_EQ(other.level, 12.75);
+  EXPECT_EQ(other.level_sigma, std::nullopt);
+  EXPECT_FALSE(other.is_as_found);
+  const WaterArea river = given(R"("kind":"lake","level_m":412.5)", R"("kind":"river","level_m":null)");
+  EXPECT_EQ(river.level, std::nullopt);
+  EXPECT_FALSE(river.is_as_found);
+  plan_.water[0].forced = true;  // a polygon said that it is water, but no level
+  EXPECT_EQ(given(" ", " ").level_sigma, 0.04);
+  EXPECT_FALSE(given(" ", " ").is_as_found);
+  plan_.water[0].level_is_given = true;
+  EXPECT_EQ(given(" ", " ").level_sigma, std::nullopt);
 }
 
 TEST_F(SceneGeoJsonTest, ARiverAmongTheHolesIsOneWhenItIsGivenBack) {

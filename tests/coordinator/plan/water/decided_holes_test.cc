@@ -158,7 +158,7 @@ TEST_F(DecideHolesTest, AnAnswerIsTakenOnlyWhereItDecides) {
   EXPECT_FALSE(answer.taken);
   EXPECT_NE(answer.reason.find("it covers 45 % of holes 0 and 2"), std::string::npos) << answer.reason;
   EXPECT_EQ(answer.doubt,
-            "it does not decide on the hole at (0, 0), as most of it lies in another; draw one over that hole alone");
+            "it does not decide on hole 3 at (0, 0), as most of it lies in another; draw one over that hole alone");
 }
 
 TEST_F(DecideHolesTest, ADecisionThatIsTakenIsSilentOnTheHolesAboveIt) {

@@ -131,7 +131,7 @@ TEST_F(WaterAnswersTest, SaysWhatIsMissing) {
                                 {true, {{Box(60, 0, 63, 10)}}},
                                 {true, {{Box(80, 0, 90, 10)}}}});
   const std::vector<std::string> reasons = {"no hole that faces up", "is left: its boundary crosses itself",
-                                            "has no shore", "covers 30 % of the hole at (65, 5)",
+                                            "has no shore", "covers 30 % of hole 3 at (65, 5)",
                                             "no hole lies under it"};
   ASSERT_THAT(answers, SizeIs(reasons.size()));
   for (size_t i = 0; i < reasons.size(); ++i) {
@@ -215,8 +215,10 @@ TEST_F(WaterAnswersTest, ADecisionSaysOfEachHoleThatItCoversWhyItIsNotTaken) {
     area.decision = ReviewDecision::kAccept;
     const auto& answers = Answer({area});
     EXPECT_FALSE(answers[0].taken);
-    EXPECT_THAT(answers[0].reason, HasSubstr("it covers 5 % of the hole at (500, 500)"));
-    EXPECT_THAT(answers[0].doubt, HasSubstr("it covers 50 % of the hole at (-15, 5)"));
+    EXPECT_THAT(answers[0].reason,
+                HasSubstr("it covers 5 % of hole " + std::to_string(is_small_first ? 1 : 0) + " at (500, 500)"));
+    EXPECT_THAT(answers[0].doubt,
+                HasSubstr("it covers 50 % of hole " + std::to_string(is_small_first ? 0 : 1) + " at (-15, 5)"));
   }
 }
 
@@ -228,7 +230,7 @@ TEST_F(WaterAnswersTest, ASmallHoleDoesNotHideALargeOneThatIsNotTaken) {
   const auto& answers = Answer({{true, {{Box(0, 0, 6, 10)}}}});
   EXPECT_TRUE(answers[0].taken);
   EXPECT_THAT(answers[0].holes, ElementsAre(0));
-  EXPECT_THAT(answers[0].reason, HasSubstr("covers 40 % of the hole"));
+  EXPECT_THAT(answers[0].reason, HasSubstr("covers 40 % of hole 1 at"));
 }
 
 TEST_F(WaterAnswersTest, DoubtsWaterThatReachesFarBeyondTheArea) {

@@ -220,6 +220,23 @@ TEST_P(WaterTest, AnAreaMayGiveTheLevel) {
   EXPECT_TRUE(plan.water[0].river.stations.empty());
 }
 
+TEST_P(WaterTest, AnAreaThatSaysWhatWasFoundDecidesNothing) {
+  WaterOptions water;
+  water.areas = {{true, {{Box(0, 0, 120, 120)}}, kWaterLevel}};
+  water.areas[0].level_sigma = 0.25;
+  water.areas[0].is_as_found = true;
+  const Plan plan = PlanOf(LakeOverNineCells(GetParam()), water);
+  ASSERT_THAT(plan.water, SizeIs(1));
+  EXPECT_FALSE(plan.water[0].forced);
+  EXPECT_FALSE(plan.water[0].level_is_given);
+  EXPECT_EQ(plan.water[0].sigma, 0.25);
+  const HoleEvidence& evidence = plan.evidence[plan.holes[plan.water[0].holes[0]].evidence];
+  EXPECT_EQ(evidence.area, -1);
+  EXPECT_EQ(evidence.sigma, 0.25);
+  EXPECT_GT(evidence.chance_wrong, 0);
+  EXPECT_GT(evidence.dry_difference, 0);
+}
+
 TEST_P(WaterTest, AnAreaMayGiveTheCentreline) {
   WaterOptions water;
   water.areas = {{true, {{Box(0, 0, 120, 120)}}, std::nullopt, {{110, 60}, {10, 60}}}};
