@@ -170,6 +170,13 @@ void JudgeSlopes(const WaterProfile& profile, Plan& plan) {
   }
 }
 
+// Who gives an earlier run's holes back unchanged decides nothing: they are as doubtful as before.
+void KeepDoubt(const LevelEvidence& rim, HoleEvidence& evidence) {
+  evidence.area = -1;
+  evidence.dry_difference = rim.dry_difference;
+  evidence.chance_wrong = ChanceOfError(evidence.verdict, rim);
+}
+
 class WaterFinder {
  public:
   WaterFinder(const PlanInput& input, const WaterOptions& options, KnownWater known, Plan& plan,
@@ -252,18 +259,9 @@ class WaterFinder {
       }
       for (GivenWater& water : WaterOfArea(options_.areas[area], std::move(parts), options_.profile.least_river)) {
         AddBody(water.parts, std::move(water.body));
-        if (options_.areas[area].is_as_found) KeepDoubt(water);
+        if (!options_.areas[area].is_as_found) continue;
+        for (const size_t g : water.parts) KeepDoubt(water.evidence, groups_[g].evidence);
       }
-    }
-  }
-
-  // Who gives an earlier run's holes back unchanged decides nothing: they are as doubtful as before.
-  void KeepDoubt(const GivenWater& water) {
-    for (const size_t g : water.parts) {
-      HoleEvidence& evidence = groups_[g].evidence;
-      evidence.area = -1;
-      evidence.dry_difference = water.evidence.dry_difference;
-      evidence.chance_wrong = ChanceOfError(evidence.verdict, water.evidence);
     }
   }
 
