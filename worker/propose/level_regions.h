@@ -9,13 +9,13 @@
 
 namespace tilemend {
 
-// Chosen on two levels of detail of a photogrammetric city (a canal, a pond) and a wooded river bank of lidar. Tested
-// on five further sites without water (docs/decisions/2026-11-26-clear-polygons.md).
+// Chosen on two levels of detail of a photogrammetric city (a canal, a pond), a wooded river bank of lidar and seven
+// sites without water (docs/decisions/2026-11-26-clear-polygons.md).
 struct LevelRegionOptions {
   double bank = 0.5;          // metres: how far the shore rises at least, and the heights of water scatter at most
   double growth = 1.35;       // how much larger the region may be at `bank` above its own level
   double depth_share = 0.45;  // how much of it may lie more than `bank` below its own level: noise of water
-  double shore_share = 0.5;   // along how much of its rim ground must be higher than the water by `bank`
+  double shore_share = 0.65;  // along how much of its rim ground must be higher than the water by `bank`
   double shore_reach = 10;    // metres: how far behind the rim that ground may be: trees and walls stand before it
   double min_area = 100;      // m2
   int32_t smoothing = 2;      // squares: medians of so many to each side
