@@ -7,10 +7,12 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <span>
 #include <tuple>
 #include <utility>
 
 #include "common/mesh/vertex_lists.h"
+#include "coordinator/plan/overlap/closed_runs.h"
 #include "coordinator/plan/overlap/piece_ends.h"
 #include "coordinator/plan/types/meet_tolerance.h"
 
@@ -145,8 +147,10 @@ class Walker {
     if (events_.empty()) {
       walk_.all_open = LengthCovered(stretches_) < outline_.Length() / 2;
     } else {
+      const size_t at_pieces = walk_.gaps.size();
       CloseUpperSheets();
       Match();
+      JoinClosedRuns(record_, walk_.on_outline, outline_, std::span(walk_.gaps).subspan(at_pieces));
     }
     return std::move(walk_);
   }

@@ -54,9 +54,10 @@ struct OutlineWalk {
 
 // `taken` says for each edge of the record whether it counts; others are on outlines of pieces. Chains that end at
 // those are closed as well (MatchPieceEnds), along outlines of pieces where that is shorter; no edge is in the ways of
-// two gaps: the gap that MatchPieceEnds gives first has it. `piece_reach` is how far pieces overlap, or part. Every
-// vertex where chains off the outline begin or end is in one gap each time. Cost O(n log n), what MatchPieceEnds costs,
-// and for each gap between pieces the edges followed at one end times those at the other, up to 1000 each.
+// two gaps: the gap that MatchPieceEnds gives first has it. Below overhangs ends are matched anew (closed_runs.h).
+// `piece_reach` is how far pieces overlap, or part. Every vertex where chains off the outline begin or end is in one
+// gap each time. Cost O(n log n), what MatchPieceEnds costs, and for each gap between pieces the edges followed at one
+// end times those at the other, up to 1000 each.
 OutlineWalk WalkOutline(const SurveyRecord& record, const std::vector<bool>& taken, const Outline& outline,
                         double piece_reach, const std::vector<ChainPassage>& passages = {});
 
