@@ -13,7 +13,7 @@ namespace {
 constexpr double kNearest = 4;  // metres: the first rows of triangles lie on the shore, which rises slowly
 constexpr double kNearestEdges = 1.5, kFarthestEdges = 3;  // mean edges, if that is more
 constexpr double kSquareShare = 0.1;                       // of the reach: side of the squares that count
-constexpr double kFreeboard = 0.15;                        // metres that ground stands above water, at least
+constexpr double kFreeboard = 0.15;                        // metres that ground stands above water
 constexpr double kSteepest = 0.1;                          // rise / run; what is higher at the reach is an object
 constexpr double kLeastOfAll = 0.05;                       // of all squares; fewer are a jetty or a spike
 constexpr double kWidestSquares = 0.4;                     // of the reach: wider ones tell nothing
@@ -50,17 +50,19 @@ class ShoreIndex {
     square.is_ground = square.is_ground || is_ground;
   }
 
-  double LowGroundShare() const {
+  GroundAround Shares() const {
     const double most = std::max(most_above_, kSteepest * reach_);
     const auto is_lower = [&](const auto& square) {
-      const double freeboard = square.second.is_ground ? kFreeboard : 0;
-      return square.second.above <= std::max(most_above_, freeboard);
+      return square.second.above <= (square.second.is_ground ? kFreeboard : most_above_);
     };
     const auto is_low = [&](const auto& square) { return square.second.is_ground || square.second.above <= most; };
     const auto lower = static_cast<double>(std::ranges::count_if(lowest_, is_lower));
     const auto low = std::ranges::count_if(lowest_, is_low);
-    const bool is_known = low >= kMinSquares && lower > kLeastOfAll * static_cast<double>(lowest_.size());
-    return is_known ? lower / static_cast<double>(low) : 0;
+    if (low < kMinSquares) return {};
+    const auto is_sunk = [&](const auto& square) { return square.second.above < -most_above_; };
+    const auto known = static_cast<double>(low);
+    const bool are_many = lower > kLeastOfAll * static_cast<double>(lowest_.size());
+    return {are_many ? lower / known : 0, static_cast<double>(std::ranges::count_if(lowest_, is_sunk)) / known};
   }
 
  private:
@@ -115,7 +117,7 @@ void AddBand(const SurveyRecord& record, std::span<const int32_t> plan_vertex, c
 
 }  // namespace
 
-std::vector<double> LowGroundShares(const Plan& plan, const PlanInput& input, std::span<const Shore> shores) {
+std::vector<GroundAround> GroundAroundShores(const Plan& plan, const PlanInput& input, std::span<const Shore> shores) {
   std::vector<ShoreIndex> indices(shores.begin(), shores.end());
   for (const auto& [cell, record] : input.cells) {
     if (record == nullptr || record->vertex_count == 0) continue;
@@ -132,8 +134,8 @@ std::vector<double> LowGroundShares(const Plan& plan, const PlanInput& input, st
     if (!by_ground.empty()) AddGround(*ground, by_ground);
     if (!by_band.empty()) AddBand(*record.WithBand(), VerticesOf(plan, cell), by_band);
   }
-  std::vector<double> shares;
-  for (const ShoreIndex& shore : indices) shares.push_back(shore.LowGroundShare());
+  std::vector<GroundAround> shares;
+  for (const ShoreIndex& shore : indices) shares.push_back(shore.Shares());
   return shares;
 }
 

@@ -15,7 +15,7 @@ inline constexpr char kNoRim[] = "no original surface bounds it, so no level is 
 // Of a hole that an area of the user decides on.
 std::string DecidedBy(const WaterArea& area);
 
-// What `verdict` on a basin follows from. `low_ground`: LowGroundShares, 0 to 1.
+// What `verdict` on a basin follows from. `low_ground`: GroundAround::low.
 std::string ReasonFor(HoleEvidence::Verdict verdict, const Basin& basin, double low_ground,
                       const WaterProfile& profile);
 

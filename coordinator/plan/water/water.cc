@@ -99,10 +99,10 @@ Shore ShoreOf(const Basin& basin, const std::vector<RimChain>& rim) {
   return shore;
 }
 
-std::vector<double> LowGroundOf(const std::vector<Basin>& basins, const Plan& plan, const PlanInput& input) {
+std::vector<GroundAround> GroundAroundOf(const std::vector<Basin>& basins, const Plan& plan, const PlanInput& input) {
   std::vector<Shore> shores;
   for (const Basin& basin : basins) shores.push_back(basin.is_level() ? ShoreOf(basin, basin.rim) : Shore());
-  return LowGroundShares(plan, input, shores);
+  return GroundAroundShores(plan, input, shores);
 }
 
 // For each water that was joined from several of `basins`: its part with the largest share of low ground, if that
@@ -118,12 +118,12 @@ std::vector<size_t> PartsWithLowGround(const std::vector<Basin>& basins, const s
     const bool is_part = whole->members.size() > 1 && whole->is_level();
     shores.push_back(is_part ? ShoreOf(*whole, part.rim) : Shore());
   }
-  const std::vector<double> lower = LowGroundShares(plan, input, shores);
+  const std::vector<GroundAround> around = GroundAroundShores(plan, input, shores);
   std::map<size_t, size_t> worst;  // by the whole
   for (size_t b = 0; b < basins.size(); ++b) {
-    if (lower[b] <= kMaxLowGround) continue;
+    if (around[b].low <= kMaxLowGround) continue;
     const auto [it, fresh] = worst.try_emplace(whole_of[b], b);
-    if (!fresh && lower[b] > lower[it->second]) it->second = b;
+    if (!fresh && around[b].low > around[it->second].low) it->second = b;
   }
   std::vector<size_t> numbers;
   for (const auto& [whole, b] : worst) numbers.push_back(b);
@@ -285,8 +285,8 @@ class WaterFinder {
     }
     if (index_.cancelled()) return;
     basins = JoinWater(std::move(basins), options_.profile.least_river, plan_, input_, index_);
-    const std::vector<double> lower = LowGroundOf(basins, plan_, input_);
-    for (size_t b = 0; b < basins.size(); ++b) Decide(basins[b], lower[b]);
+    const std::vector<GroundAround> around = GroundAroundOf(basins, plan_, input_);
+    for (size_t b = 0; b < basins.size(); ++b) Decide(basins[b], around[b]);
   }
 
   void AddBasin(size_t g, std::vector<Basin>& basins) {
@@ -299,10 +299,11 @@ class WaterFinder {
         MakeBasin(g, BoundaryOf(plan_, group.holes), std::move(rim), group.area, options_.profile.least_river));
   }
 
-  void Decide(const Basin& basin, double low_ground) {
+  void Decide(const Basin& basin, const GroundAround& around) {
     const LevelEvidence& e = basin.river ? basin.river->evidence : basin.evidence;
-    const bool is_lowest = low_ground <= kMaxLowGround;
-    const bool is_flat = basin.is_level() && (is_lowest || (!basin.river && e.is_within_noise()));
+    const bool is_lowest = around.low <= kMaxLowGround;
+    const bool is_within_noise = !basin.river && e.is_within_noise() && around.sunk <= kMaxSunkGround;
+    const bool is_flat = basin.is_level() && (is_lowest || is_within_noise);
     const bool is_large = basin.area >= options_.profile.least_lake;
     Verdict verdict = Verdict::kNoWater;
     if (basin.river && is_lowest) {
@@ -315,7 +316,7 @@ class WaterFinder {
     for (const size_t g : basin.members) {
       groups_[g].is_judged = groups_[g].is_judged || verdict != Verdict::kNoWater;
       HoleEvidence& evidence = groups_[g].evidence;
-      evidence = {verdict, true, e.level, e.sigma(), ReasonFor(verdict, basin, low_ground, options_.profile)};
+      evidence = {verdict, true, e.level, e.sigma(), ReasonFor(verdict, basin, around.low, options_.profile)};
       evidence.dry_difference = basin.evidence.dry_difference;
       evidence.chance_wrong = ChanceOfError(verdict, basin.evidence);
     }

@@ -22,7 +22,7 @@ namespace tilemend {
 // Where none decides and options.find is set (docs/decisions/2026-11-26-water-by-evidence.md):
 //   water         its rim is level (LevelEvidence::is_level), or a river's (FindFall), alone or with that of others
 //                 across a bridge (JoinBasins), but for parts with low ground around them; little of the ground around
-//                 it is as low (LowGroundShares, kMaxLowGround); it is as large as options.profile asks
+//                 it is as low (GroundAround::low, kMaxLowGround); it is as large as options.profile asks
 //   level ground  not water, but level and dry surface differ by less than three times the noise, or it is smaller
 //                 water, of profile.least_level at least: filled flat too
 // Holes that are parts of `known` water of the whole scene are that water first. A reconstruction area may leave too
@@ -30,7 +30,7 @@ namespace tilemend {
 // judged by themselves.
 //
 // Levels are rounded to the lattice. Once cancelled it ends soon, and the plan is not to be used. Cost as AreaIndex for
-// each group, EvidenceOf, JoinBasins and LowGroundShares. Deterministic.
+// each group, EvidenceOf, JoinBasins and GroundAroundShores. Deterministic.
 void FindWater(const PlanInput& input, const WaterOptions& options, KnownWater known, Plan& plan,
                const std::function<bool()>& is_cancelled = {});
 

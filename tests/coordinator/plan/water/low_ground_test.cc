@@ -27,7 +27,7 @@ double ShareAround(const HeightFunction& height, double noise = 0.1) {
       shore.edges.emplace_back(p.x(), p.y(), 5);
     }
   }
-  return LowGroundShares(Plan(), scene.Input(), std::vector<Shore>{shore})[0];
+  return GroundAroundShores(Plan(), scene.Input(), std::vector<Shore>{shore})[0].low;
 }
 
 // The record of a tile there without a band.
@@ -38,14 +38,14 @@ StoredRecord SomewhereAt(double x, double y) {
   return StoredRecord(std::make_shared<const SurveyRecord>(record));
 }
 
-TEST(LowGroundSharesTest, IsTheShareOfTheSurfaceAround) {
+TEST(GroundAroundShoresTest, IsTheShareOfTheSurfaceAround) {
   EXPECT_EQ(ShareAround([](double, double) { return 6; }), 0);
   EXPECT_EQ(ShareAround([](double, double) { return 4; }), 1);
   EXPECT_NEAR(ShareAround([](double x, double) { return x < 20 ? 4 : 6; }), 0.5, 0.1);
 }
 
 // A street between houses: each square counts once, by its lowest vertex, wherever the lattice of squares lies.
-TEST(LowGroundSharesTest, RoofsDoNotCount) {
+TEST(GroundAroundShoresTest, RoofsDoNotCount) {
   for (const double shift : {0.0, 0.4, 0.7, 1.1}) {
     const auto every_third_row_is_street = [&](double, double y) {
       return std::fmod(y + shift + 9, 3) < 1 ? 5.05 : 12;
@@ -56,21 +56,21 @@ TEST(LowGroundSharesTest, RoofsDoNotCount) {
 }
 
 // A row of squares among 27 is no street.
-TEST(LowGroundSharesTest, AFewLowSquaresDoNotCount) {
+TEST(GroundAroundShoresTest, AFewLowSquaresDoNotCount) {
   for (const double shift : {0.0, 0.4, 0.7, 1.1}) {
     EXPECT_EQ(ShareAround([&](double x, double y) { return y < 5 + shift && x < 16 ? 5 : 12; }), 0);
   }
 }
 
 // The surface rises by 2 cm per metre: a bank, unless the heights are as rough as that.
-TEST(LowGroundSharesTest, NoiseIsNoHigher) {
+TEST(GroundAroundShoresTest, NoiseIsNoHigher) {
   const auto bank = [](double x, double y) { return 5 + 0.02 * std::max({15 - x, x - 25, 15 - y, y - 25, 0.0}); };
   EXPECT_LT(ShareAround(bank, 0.02), 0.15);
   EXPECT_EQ(ShareAround(bank, 0.2), 1);
 }
 
 // East of the hole its rim is a quay: what lies behind that does not count.
-TEST(LowGroundSharesTest, SurfaceBehindQuaysDoesNotCount) {
+TEST(GroundAroundShoresTest, SurfaceBehindQuaysDoesNotCount) {
   std::vector<std::string> picture(40, std::string(40, '#'));
   for (int row = 15; row < 25; ++row) picture[row].replace(15, 10, 10, '.');
   SurveyedScene scene = PictureScene(picture, 40, [](double x, double) { return x < 24 ? 6 : 4; });
@@ -80,11 +80,11 @@ TEST(LowGroundSharesTest, SurfaceBehindQuaysDoesNotCount) {
     for (const Point2& p : {Point2(k, 15), Point2(k, 25), Point2(15, k)}) shore.edges.emplace_back(p.x(), p.y(), 5);
     shore.edges.emplace_back(25, k, std::numeric_limits<double>::quiet_NaN());
   }
-  EXPECT_LT(LowGroundShares(Plan(), scene.Input(), std::vector<Shore>{shore})[0], 0.25);
+  EXPECT_LT(GroundAroundShores(Plan(), scene.Input(), std::vector<Shore>{shore})[0].low, 0.25);
 }
 
 // With edges of 6 m the squares do not reach far enough, and bands tell: there are none.
-TEST(LowGroundSharesTest, LongEdgesAskForMoreThanSquares) {
+TEST(GroundAroundShoresTest, LongEdgesAskForMoreThanSquares) {
   Shore shore;
   shore.mean_edge = 6;
   for (double k = 3; k < 60; k += 6) shore.edges.emplace_back(k, 0, 5);
@@ -93,13 +93,13 @@ TEST(LowGroundSharesTest, LongEdgesAskForMoreThanSquares) {
   rim.side = 3;
   for (int32_t col = 0; col < 20; ++col) rim.around.push_back({col, 3, 5});
   input.cells[{0, 0}] = SomewhereAt(30, 0);
-  EXPECT_EQ(LowGroundShares(Plan(), input, std::vector<Shore>{shore})[0], 0);
+  EXPECT_EQ(GroundAroundShores(Plan(), input, std::vector<Shore>{shore})[0].low, 0);
   shore.mean_edge = 4;
-  EXPECT_EQ(LowGroundShares(Plan(), input, std::vector<Shore>{shore})[0], 1);
+  EXPECT_EQ(GroundAroundShores(Plan(), input, std::vector<Shore>{shore})[0].low, 1);
 }
 
 // Lidar has a vertex in each square metre: bands of two rings of triangles tell of no street behind a house.
-TEST(LowGroundSharesTest, GroundBeyondTheBandsCounts) {
+TEST(GroundAroundShoresTest, GroundBeyondTheBandsCounts) {
   Shore shore;
   shore.mean_edge = 1;
   for (double k = 0.5; k < 10; ++k) shore.edges.emplace_back(k, 0, 5);
@@ -113,16 +113,38 @@ TEST(LowGroundSharesTest, GroundBeyondTheBandsCounts) {
     rim.around.push_back({col, 2, 4.9F});
     rim.around.push_back({col, 3, 8});
   }
-  EXPECT_NEAR(LowGroundShares(Plan(), input, std::vector<Shore>{shore})[0], 2.0 / 3, 1e-9) << "8 of 12";
+  EXPECT_NEAR(GroundAroundShores(Plan(), input, std::vector<Shore>{shore})[0].low, 2.0 / 3, 1e-9) << "8 of 12";
   for (GroundSquare& square : rim.around) square.height += 0.4F;
-  EXPECT_NEAR(LowGroundShares(Plan(), input, std::vector<Shore>{shore})[0], 0, 1e-9);
+  for (const double noise : {0.0, 0.2}) {  // of crowns above the shore
+    shore.noise = noise;
+    EXPECT_NEAR(GroundAroundShores(Plan(), input, std::vector<Shore>{shore})[0].low, 0, 1e-9) << noise;
+  }
 }
 
-TEST(LowGroundSharesTest, WithoutSurfaceAroundNothingIsKnown) {
+// A rim of crowns: the ground of the wood lies far below.
+TEST(GroundAroundShoresTest, GroundBelowTheRimIsSunk) {
+  Shore shore;
+  shore.mean_edge = 1;
+  shore.noise = 0.3;
+  for (double k = 0.5; k < 10; ++k) shore.edges.emplace_back(k, 0, 5);
+  PlanInput input;
+  input.cells[{0, 0}] = SomewhereAt(5, 0);
+  RimGround& rim = input.rim_ground[{0, 0}];
+  rim.side = 3;
+  for (int32_t col = 0; col < 4; ++col) {
+    rim.around.push_back({col, -3, 4.2F});
+    rim.around.push_back({col, 2, 4});
+    rim.around.push_back({col, 3, 4});
+  }
+  EXPECT_NEAR(GroundAroundShores(Plan(), input, std::vector<Shore>{shore})[0].sunk, 2.0 / 3, 1e-9);
+  EXPECT_EQ(GroundAroundShores(Plan(), input, std::vector<Shore>{shore})[0].low, 1);
+}
+
+TEST(GroundAroundShoresTest, WithoutSurfaceAroundNothingIsKnown) {
   Shore shore;
   shore.mean_edge = 1;
   shore.edges = {Point3(0, 0, 5)};
-  EXPECT_EQ(LowGroundShares(Plan(), PlanInput(), std::vector<Shore>{shore})[0], 0);
+  EXPECT_EQ(GroundAroundShores(Plan(), PlanInput(), std::vector<Shore>{shore})[0].low, 0);
 }
 
 }  // namespace
