@@ -3,58 +3,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <atomic>
 #include <future>
 #include <memory>
-#include <new>
-#include <stdexcept>
 #include <string>
 #include <thread>
 
 #include "common/rpc/limits.h"
-#include "common/rpc/status_proto.h"
-#include "common/store/digest.h"
-#include "common/util/error_info.h"
 #include "tests/worker/service/worker_fixture.h"
-#include "tilemend/v1/stages.pb.h"
 
 namespace tilemend {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
-
-TEST_F(WorkerTest, AppendsThePartsThatAnInputNames) {
-  v1::GroundInput head, part;
-  head.add_position(1);
-  head.add_parts("raster");
-  part.add_rasters()->set_square(2);
-  coordinator_.PutBlob("raster", part.SerializeAsString());
-  v1::Task task = TaskOf(1, head.SerializeAsString());
-  task.set_stage(static_cast<v1::Stage>(Stage::kGround));
-  const auto give_back = [](Stage, const std::string& input, const CancelToken&) { return input; };
-  v1::GroundInput whole;
-  ASSERT_TRUE(whole.ParseFromString(Run(give_back, task).output().content()));
-  EXPECT_EQ(whole.position_size(), 1);
-  ASSERT_EQ(whole.rasters_size(), 1);
-  EXPECT_EQ(whole.rasters(0).square(), 2);
-}
-
-TEST_F(WorkerTest, SaysWhoItIsAndWhatItTakes) {
-  const auto worker = NewWorker(Echo, 3);
-  const v1::SyncRequest first = coordinator_.Answer(v1::SyncResponse());
-  EXPECT_EQ(first.protocol(), kProtocolVersion);
-  EXPECT_EQ(first.worker(), "w");
-  EXPECT_EQ(first.threads(), 3);
-  EXPECT_EQ(first.prefetch(), 1);
-  EXPECT_FALSE(first.draining());
-  EXPECT_EQ(first.wait_ms(), absl::ToInt64Milliseconds(kMaxPoll));
-  const v1::SyncRequest second = coordinator_.Answer(v1::SyncResponse());
-  EXPECT_GT(second.sequence(), first.sequence());
-  EXPECT_THAT(metrics_.Text(), HasSubstr("tilemend_worker_connected 1\n"));
-  worker->Abandon();
-}
 
 TEST_F(WorkerTest, ReportsAResultUntilItIsAcknowledged) {
   const auto worker = NewWorker(Echo);
@@ -86,62 +48,6 @@ TEST_F(WorkerTest, TakesATaskOnceThatItIsToldTwice) {
   worker->Abandon();
   EXPECT_TRUE(worker->Join().ok());
   EXPECT_EQ(runs, 1);
-}
-
-TEST_F(WorkerTest, ReportsAnErrorAsItIs) {
-  const absl::Status error = WithErrorInfo(absl::NotFoundError("a.ply: no such file"), {"TILE", {}});
-  const auto report = Run(
-      [&](Stage, const std::string&, const CancelToken&) { return absl::StatusOr<std::string>(error); }, TaskOf(1, ""));
-  EXPECT_EQ(StatusFromProto(report.error()), error);
-  EXPECT_EQ(report.stage(), static_cast<v1::Stage>(Stage::kFill));
-  EXPECT_THAT(metrics_.Text(), HasSubstr("tilemend_worker_tasks_failed_total{stage=\"fill\"} 1\n"));
-}
-
-TEST_F(WorkerTest, ReportsWhatAStageThrows) {
-  using Output = absl::StatusOr<std::string>;
-  const auto throws = [](Stage, const std::string&, const CancelToken&) -> Output { throw std::runtime_error("oops"); };
-  EXPECT_EQ(StatusFromProto(Run(throws, TaskOf(1, "")).error()), absl::InternalError("stage fill threw: oops"));
-  const auto starves = [](Stage, const std::string&, const CancelToken&) -> Output { throw std::bad_alloc(); };
-  EXPECT_EQ(StatusFromProto(Run(starves, TaskOf(2, "")).error()),
-            absl::ResourceExhaustedError("the worker is out of memory"));
-}
-
-TEST_F(WorkerTest, ReadsALargeInputAsABlob) {
-  const std::string input(100'000, 'x');
-  v1::Task task = TaskOf(1, "");
-  task.mutable_input()->set_size(static_cast<int64_t>(input.size()));
-  task.mutable_input()->set_digest(Sha256Hex(input));
-  EXPECT_EQ(StatusFromProto(Run(Echo, task).error()).code(), absl::StatusCode::kUnavailable) << "it is lost";
-  coordinator_.PutBlob(Sha256Hex(input), input);
-  const auto size = [](Stage, const std::string& bytes, const CancelToken&) -> absl::StatusOr<std::string> {
-    return std::to_string(bytes.size());
-  };
-  EXPECT_EQ(Run(size, task).output().content(), "100000");
-  EXPECT_THAT(metrics_.Text(), HasSubstr("tilemend_worker_input_bytes_total{stage=\"fill\"} 100000\n"));
-}
-
-TEST_F(WorkerTest, WritesALargeOutputAsABlob) {
-  const auto large = [](Stage, const std::string&, const CancelToken&) -> absl::StatusOr<std::string> {
-    return std::string(kInlineBlobBytes + 1, 'y');
-  };
-  const v1::BlobRef output = Run(large, TaskOf(1, "")).output();
-  EXPECT_EQ(output.content(), "");
-  EXPECT_EQ(output.size(), static_cast<int64_t>(kInlineBlobBytes + 1));
-  EXPECT_EQ(coordinator_.Blob(output.digest()), std::string(kInlineBlobBytes + 1, 'y'));
-  coordinator_.FailWrites(absl::ResourceExhaustedError("disk full"));
-  EXPECT_EQ(StatusFromProto(Run(large, TaskOf(2, "")).error()), absl::ResourceExhaustedError("disk full"));
-}
-
-TEST_F(WorkerTest, SendsAResultAgainThatACutConnectionDidNotTake) {
-  const StageRunner large = [](Stage, const std::string&, const CancelToken&) -> absl::StatusOr<std::string> {
-    return std::string(kInlineBlobBytes + 1, 'y');
-  };
-  coordinator_.FailWrites(absl::UnavailableError("socket closed"), 2);
-  const v1::FinishedTask report = Run(large, TaskOf(1, ""));
-  ASSERT_TRUE(report.has_output()) << report.DebugString();
-  EXPECT_EQ(coordinator_.Blob(report.output().digest()).size(), kInlineBlobBytes + 1);
-  coordinator_.FailWrites(absl::UnavailableError("no room at the coordinator's"));
-  EXPECT_TRUE(absl::IsUnavailable(StatusFromProto(Run(large, TaskOf(2, "")).error()))) << "but not for ever";
 }
 
 TEST_F(WorkerTest, SendsNoMoreInOneCallThanFits) {
@@ -186,25 +92,6 @@ TEST_F(WorkerTest, DropsWhatIsNotToBeKept) {
   EXPECT_TRUE(worker->Join().ok());
   EXPECT_THAT(metrics_.Text(), HasSubstr("tilemend_worker_tasks_cancelled_total{stage=\"fill\"} 1\n"));
   EXPECT_THAT(metrics_.Text(), HasSubstr("tilemend_worker_tasks_started_total{stage=\"fill\"} 1\n"));
-}
-
-TEST_F(WorkerTest, TellsWhatItHasBegun) {
-  std::promise<void> running;
-  const auto worker = NewWorker([&](Stage stage, const std::string& input, const CancelToken& cancel) {
-    running.set_value();
-    return UntilCancelled(stage, input, cancel);
-  });
-  coordinator_.Answer(Start({TaskOf(1, ""), TaskOf(2, "")}));
-  running.get_future().wait();
-  v1::SyncResponse keep;
-  *keep.add_keep() = Ref(1);
-  *keep.add_keep() = Ref(2);
-  const auto tells = [](const v1::SyncRequest& request) { return request.begun_size() > 0; };
-  coordinator_.Answer(keep);  // the call that was under way when the task began
-  const v1::SyncRequest request = coordinator_.Answer(keep, tells);
-  EXPECT_EQ(request.held_size(), 2);
-  EXPECT_EQ(request.begun_size(), 1) << "there is one thread";
-  worker->Abandon();
 }
 
 TEST_F(WorkerTest, AsksForLessWhileItIsBusyWithWhatItDropped) {
@@ -270,19 +157,6 @@ TEST_F(WorkerTest, AbandonEndsWithoutAWord) {
   EXPECT_FALSE(first.draining());
   worker->Abandon();
   EXPECT_TRUE(worker->Join().ok());  // nobody has answered a last call
-}
-
-TEST_F(WorkerTest, EndsWithTheReasonIfItIsRefused) {
-  const absl::Status protocol =
-      WithErrorInfo(absl::FailedPreconditionError("protocol 1, but this is 2"), {"PROTOCOL_VERSION", {}});
-  const absl::Status build =
-      WithErrorInfo(absl::FailedPreconditionError("build a, but this is b"), {"OTHER_BUILD", {}});
-  for (const absl::Status& refusal : {protocol, build, absl::InvalidArgumentError("2049 threads")}) {
-    const auto worker = NewWorker(Echo);
-    coordinator_.Answer(refusal);
-    EXPECT_EQ(worker->Join(), refusal);
-    EXPECT_THAT(metrics_.Text(), HasSubstr("tilemend_worker_connected 0\n"));
-  }
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
-// When a worker calls its coordinator, and how often.
+#include "worker/service/sync_loop.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <string>
 
+#include "common/rpc/limits.h"
 #include "common/util/error_info.h"
 #include "tests/worker/service/worker_fixture.h"
 
@@ -12,6 +14,34 @@ namespace tilemend {
 namespace {
 
 using ::testing::HasSubstr;
+
+TEST_F(WorkerTest, SaysWhoItIsAndWhatItTakes) {
+  const auto worker = NewWorker(Echo, 3);
+  const v1::SyncRequest first = coordinator_.Answer(v1::SyncResponse());
+  EXPECT_EQ(first.protocol(), kProtocolVersion);
+  EXPECT_EQ(first.worker(), "w");
+  EXPECT_EQ(first.threads(), 3);
+  EXPECT_EQ(first.prefetch(), 1);
+  EXPECT_FALSE(first.draining());
+  EXPECT_EQ(first.wait_ms(), absl::ToInt64Milliseconds(kMaxPoll));
+  const v1::SyncRequest second = coordinator_.Answer(v1::SyncResponse());
+  EXPECT_GT(second.sequence(), first.sequence());
+  EXPECT_THAT(metrics_.Text(), HasSubstr("tilemend_worker_connected 1\n"));
+  worker->Abandon();
+}
+
+TEST_F(WorkerTest, EndsWithTheReasonIfItIsRefused) {
+  const absl::Status protocol =
+      WithErrorInfo(absl::FailedPreconditionError("protocol 1, but this is 2"), {"PROTOCOL_VERSION", {}});
+  const absl::Status build =
+      WithErrorInfo(absl::FailedPreconditionError("build a, but this is b"), {"OTHER_BUILD", {}});
+  for (const absl::Status& refusal : {protocol, build, absl::InvalidArgumentError("2049 threads")}) {
+    const auto worker = NewWorker(Echo);
+    coordinator_.Answer(refusal);
+    EXPECT_EQ(worker->Join(), refusal);
+    EXPECT_THAT(metrics_.Text(), HasSubstr("tilemend_worker_connected 0\n"));
+  }
+}
 
 TEST_F(WorkerTest, EndsWithTheErrorWhereItsCoordinatorIsOutOfReachForTooLong) {
   patience_ = absl::Milliseconds(3);
