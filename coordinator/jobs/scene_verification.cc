@@ -9,7 +9,7 @@
 #include "common/util/error_info.h"
 #include "common/util/status_macros.h"
 #include "coordinator/jobs/random_share.h"
-#include "coordinator/jobs/scene_tasks.h"
+#include "coordinator/jobs/tile_tasks.h"
 
 namespace tilemend {
 namespace {
