@@ -85,7 +85,7 @@ std::optional<ResultIntake::Holding> ResultIntake::HoldingOf(const std::string& 
   if (task == nullptr || FindLease(*task, worker, ref.attempt_token()) == nullptr) return std::nullopt;
   const JobEntry& entry = cluster_.jobs.at(ref.job());
   if (entry.blobs == nullptr) return std::nullopt;
-  const bool queue_full = entry.runner != nullptr && entry.runner->queued_bytes() > kMaxQueuedBytes;
+  const bool queue_full = entry.runner != nullptr && entry.runner->inbox().queued_bytes() > kMaxQueuedBytes;
   return Holding{task->cell, task->stage, task->input, entry.blobs, queue_full};
 }
 

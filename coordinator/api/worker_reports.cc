@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -114,7 +113,7 @@ void WorkerReports::FailJobsThatAreGone(const std::vector<std::string>& jobs) {
     ClusterLock lock(cluster_.mutex);
     const auto entry = cluster_.jobs.find(job);
     if (entry == cluster_.jobs.end() || entry->second.runner == nullptr) continue;
-    entry->second.runner->Fail(fault);
+    entry->second.runner->inbox().Fail(fault);
   }
 }
 

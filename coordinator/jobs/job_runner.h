@@ -3,23 +3,18 @@
 #define TILEMEND_COORDINATOR_JOBS_JOB_RUNNER_H_
 
 #include <atomic>
-#include <condition_variable>
-#include <cstdint>
 #include <deque>
 #include <functional>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "coordinator/jobs/job_inbox.h"
 #include "coordinator/jobs/job_pipeline.h"
-#include "coordinator/state/event.h"
 #include "coordinator/store/blob_folder.h"
 #include "coordinator/store/job_notes.h"
 
@@ -65,24 +60,11 @@ class JobRunner {
   // Cancels and waits for the thread.
   ~JobRunner();
 
-  // Hands over a task that came to its end. `content` is its output if that is not a blob.
-  void Deliver(SettledTask task, std::optional<std::string> content);
-
-  // Ends the pipeline and runs another, which asks for all tasks again. No effect once the job is over.
-  void BeginAgain();
-
-  // Bytes of content that wait for the pipeline.
-  size_t queued_bytes() const { return queued_bytes_.load(); }
-
-  // False if the pipeline has come to its end before: the job ends as it was about to.
-  bool Cancel();
+  JobInbox& inbox() { return inbox_; }
 
   // Ends the thread soon, and the job not at all unless that has come to its end: it tells nobody, and what is on the
   // disk stays.
   void Abandon();
-
-  // Ends the job with this error, unless it has come to its end.
-  void Fail(absl::Status error);
 
   // True until the pipeline has ended: the job may write to its output, even if cancelled.
   bool may_write() const { return may_write_.load(); }
@@ -91,55 +73,18 @@ class JobRunner {
   bool ended() const { return ended_.load(); }
 
  private:
-  struct Delivery {
-    SettledTask task;
-    std::optional<std::string> content;
-  };
-
-  // Tasks that are given out and not yet taken back, and inputs of those of them that were not settled before.
-  struct Outstanding {
-    int64_t tasks = 0;
-    std::multimap<std::string, std::vector<std::string>> held;  // and their parts
-  };
-
-  bool TryCancel();  // with the lock held
-  void Run();
+  void Run(std::optional<Resumption> resumes);
   void ReleaseOnly();
-  // Where the job resumes, an earlier coordinator that is stopped, not dead, may hold the output until it wakes and
-  // ends: that is waited for, ten minutes at most.
-  absl::StatusOr<std::unique_ptr<JobPipeline>> MakePipeline();
-  // Makes the pipeline and runs it to its end, whatever it throws.
-  absl::StatusOr<JobOutcome> RunPipeline(std::unique_ptr<JobPipeline>& pipeline);
-  // After a pipeline ended. False if that is the job's end.
-  absl::StatusOr<bool> PrepareToBeginAgain(std::unique_ptr<JobPipeline>& pipeline);
-  // Durable ones.
-  absl::StatusOr<std::deque<Delivery>> NextDeliveries();
-  absl::Status TakeDelivery(JobPipeline& pipeline, Delivery delivery);
-  // The end of the job's last pipeline as it counts: its outcome, or that it was cancelled before. From now on it is
-  // too late for that.
-  absl::StatusOr<JobOutcome> RunToTheEnd(std::unique_ptr<JobPipeline>& pipeline);
-  absl::Status AddTasks(JobPipeline& pipeline, std::vector<NewTask> tasks);
 
   const JobSpec spec_;
   const PipelineFactory factory_;
   const std::shared_ptr<BlobFolder> blobs_;
   const Sink sink_;
-  std::optional<Resumption> resumes_;  // here and below: the job's thread only
-  Outstanding outstanding_;
-  std::atomic<size_t> queued_bytes_{0};
+  JobInbox inbox_;
+  std::atomic<bool> leaving_{false};  // Abandon was called
   std::atomic<bool> may_write_{true};
   std::atomic<bool> ended_{false};
-
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::deque<Delivery> deliveries_;
-  bool abandoned_ = false;
-  std::stop_source cancel_;           // also of the making of the pipeline
-  std::atomic<bool> leaving_{false};  // Abandon was called
-  absl::Status failure_;              // of the job, or BegunAgain()
-  bool too_late_ = false;             // to cancel
-  JobPipeline* pipeline_ = nullptr;   // while it may be cancelled
-  std::thread thread_;                // last: it uses the others
+  std::thread thread_;  // last: it uses the others
 };
 
 }  // namespace tilemend

@@ -40,7 +40,7 @@ absl::StatusOr<Effects> StateUpdates::Apply(const Event& event, TaskContents con
 void StateUpdates::Revoke(const Revoked& revoked) {
   const JobEntry& entry = cluster_.jobs.at(revoked.job);
   // First: from here on the runner takes no result any more.
-  if (entry.runner != nullptr) entry.runner->BeginAgain();
+  if (entry.runner != nullptr) entry.runner->inbox().Fail(BegunAgain());
   journal_.DropResults(revoked);
   cluster_.options.log->Warn("results of a worker are computed again",
                              {{"job", revoked.job},
@@ -57,7 +57,7 @@ void StateUpdates::Settle(const SettledTask& task, std::optional<std::string> co
   JobEntry& entry = cluster_.jobs.at(task.key.job);
   entry.board.TaskSettled(task.cell, task.stage, task.error);
   JobRunner* runner = entry.runner.get();
-  if (runner != nullptr) runner->Deliver(task, std::move(content));
+  if (runner != nullptr) runner->inbox().Deliver(task, std::move(content));
 }
 
 void StateUpdates::TakeVerdicts(const Effects& effects) {

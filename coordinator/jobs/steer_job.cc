@@ -1,7 +1,5 @@
 #include "coordinator/jobs/steer_job.h"
 
-#include <cstdint>
-
 #include "absl/strings/str_cat.h"
 #include "common/util/error_info.h"
 #include "common/util/status_macros.h"
@@ -33,7 +31,7 @@ absl::StatusOr<v1::Job> JobSteering::Cancel(const std::string& name) {
   TILEMEND_ASSIGN_OR_RETURN(const Job* job, cluster_.JobNamed(name));
   if (job->state == JobState::kCancelled) return DescribeJob(cluster_, *job);
   JobRunner* runner = IsOver(job->state) ? nullptr : cluster_.jobs.at(job->id).runner.get();
-  if (runner != nullptr && !runner->Cancel()) {
+  if (runner != nullptr && !runner->inbox().Cancel()) {
     return WithErrorInfo(absl::FailedPreconditionError(absl::StrCat(name, ": too late, it is just ending")),
                          {"JOB_OVER", {{"job", job->id}, {"state", std::string(JobStateName(job->state))}}});
   }

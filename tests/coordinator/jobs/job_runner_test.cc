@@ -123,7 +123,7 @@ TEST_F(JobRunnerTest, StoresInputsAndHandsResultsToThePipeline) {
   EXPECT_EQ(tasks[0].cell, (CellId{2, 1}));
   EXPECT_EQ(blobs_->Read(tasks[0].input).value(), "the input");
   EXPECT_EQ(progress.phase, "at it");
-  runner->Deliver(Committed(), "the output");
+  runner->inbox().Deliver(Committed(), "the output");
   EXPECT_EQ(AwaitOutcome()->message, "the output");
 }
 
@@ -135,7 +135,7 @@ TEST_F(JobRunnerTest, StoresNoInputOfATaskThatWasSettledBefore) {
   EXPECT_FALSE(blobs_->Size(tasks[0].input).ok());
   SettledTask settled = Committed();
   settled.known = true;
-  runner->Deliver(settled, "the output");
+  runner->inbox().Deliver(settled, "the output");
   EXPECT_EQ(AwaitOutcome()->message, "the output");
 }
 
@@ -144,12 +144,12 @@ TEST_F(JobRunnerTest, BeginsAgainWithoutTheResultsOfAWorkerThatLied) {
   script.catches = "liar";
   const auto runner = Run(script);
   const auto [tasks, progress] = AwaitTasks();
-  runner->Deliver(Committed(), "a lie");
+  runner->inbox().Deliver(Committed(), "a lie");
   tasks_again_.get_future().get();
   EXPECT_EQ(caught_, "liar");
   EXPECT_EQ(begun_again_, 1);
   EXPECT_EQ(blobs_->Read(tasks[0].input).value(), "the input") << "it is asked again";
-  runner->Deliver(Committed(), "true");
+  runner->inbox().Deliver(Committed(), "true");
   EXPECT_EQ(AwaitOutcome()->message, "true");
 }
 
@@ -159,7 +159,7 @@ TEST_F(JobRunnerTest, FailsIfItMayNotBeginAgain) {
   script.catches = "liar";
   const auto runner = Run(script);
   AwaitTasks();
-  runner->Deliver(Committed(), "a lie");
+  runner->inbox().Deliver(Committed(), "a lie");
   const auto outcome = AwaitOutcome();
   EXPECT_EQ(outcome.status().message(), "it lied");
   EXPECT_EQ(begun_again_, 0);
@@ -169,9 +169,9 @@ TEST_F(JobRunnerTest, BeginsAgainWhenItIsToldTo) {
   FakePipeline::Script script;
   const auto runner = Run(script);
   AwaitTasks();
-  runner->BeginAgain();
+  runner->inbox().Fail(BegunAgain());
   tasks_again_.get_future().get();
-  runner->Deliver(Committed(), "the output");
+  runner->inbox().Deliver(Committed(), "the output");
   EXPECT_EQ(AwaitOutcome()->message, "the output");
   EXPECT_EQ(begun_again_, 1);
 }
@@ -188,7 +188,7 @@ PipelineFactory BusyAtFirst(int times) {
 TEST_F(JobRunnerTest, AJobThatResumesWaitsForItsOutput) {
   const auto runner = RunFactory(BusyAtFirst(2), JobRunner::Mode::kResume);
   AwaitTasks();
-  runner->Deliver(Committed(), "the output");
+  runner->inbox().Deliver(Committed(), "the output");
   EXPECT_EQ(AwaitOutcome()->message, "the output");
 }
 
@@ -200,7 +200,7 @@ TEST_F(JobRunnerTest, ANewJobDoesNotWaitForItsOutput) {
 TEST_F(JobRunnerTest, ReadsAResultThatIsABlob) {
   const auto runner = Run();
   AwaitTasks();
-  runner->Deliver(Committed(blobs_->Put("a long output").value()), std::nullopt);
+  runner->inbox().Deliver(Committed(blobs_->Put("a long output").value()), std::nullopt);
   EXPECT_EQ(AwaitOutcome()->message, "a long output");
 }
 
@@ -210,7 +210,7 @@ TEST_F(JobRunnerTest, AFailedTaskIsThePipelinesToJudge) {
   SettledTask task = Committed();
   task.state = TaskState::kFailed;
   task.error = absl::InternalError("it broke");
-  runner->Deliver(task, std::nullopt);
+  runner->inbox().Deliver(task, std::nullopt);
   const auto outcome = AwaitOutcome();
   ASSERT_TRUE(outcome.ok());
   EXPECT_EQ(outcome->message, "it broke");
@@ -219,16 +219,16 @@ TEST_F(JobRunnerTest, AFailedTaskIsThePipelinesToJudge) {
 TEST_F(JobRunnerTest, AMissingBlobFailsTheJob) {
   const auto runner = Run();
   AwaitTasks();
-  runner->Deliver(Committed(Sha256Hex("never stored")), std::nullopt);
+  runner->inbox().Deliver(Committed(Sha256Hex("never stored")), std::nullopt);
   EXPECT_TRUE(absl::IsNotFound(AwaitOutcome().status()));
 }
 
 TEST_F(JobRunnerTest, CancelEndsAJobThatWaits) {
   const auto runner = Run();
   AwaitTasks();
-  EXPECT_TRUE(runner->Cancel());
+  EXPECT_TRUE(runner->inbox().Cancel());
   EXPECT_TRUE(absl::IsCancelled(AwaitOutcome().status()));
-  EXPECT_TRUE(runner->Cancel()) << "again";
+  EXPECT_TRUE(runner->inbox().Cancel()) << "again";
 }
 
 TEST_F(JobRunnerTest, CancelIsRefusedWhenThePipelineSaysThatItIsTooLate) {
@@ -236,10 +236,10 @@ TEST_F(JobRunnerTest, CancelIsRefusedWhenThePipelineSaysThatItIsTooLate) {
   script.too_late_to_cancel = true;
   const auto runner = Run(script);
   AwaitTasks();
-  EXPECT_FALSE(runner->Cancel());
-  runner->Deliver(Committed(), "kept");
+  EXPECT_FALSE(runner->inbox().Cancel());
+  runner->inbox().Deliver(Committed(), "kept");
   EXPECT_EQ(AwaitOutcome()->message, "kept");
-  EXPECT_FALSE(runner->Cancel()) << "the job is over";
+  EXPECT_FALSE(runner->inbox().Cancel()) << "the job is over";
 }
 
 TEST_F(JobRunnerTest, APipelineThatThrowsFailsItsJobAlone) {
@@ -247,7 +247,7 @@ TEST_F(JobRunnerTest, APipelineThatThrowsFailsItsJobAlone) {
   script.on_result = [] { throw std::runtime_error("out of range"); };
   const auto runner = Run(script);
   AwaitTasks();
-  runner->Deliver(Committed(), "x");
+  runner->inbox().Deliver(Committed(), "x");
   const absl::Status status = AwaitOutcome().status();
   EXPECT_TRUE(absl::IsInternal(status)) << status;
   EXPECT_THAT(std::string(status.message()), HasSubstr("out of range"));
@@ -258,7 +258,7 @@ TEST_F(JobRunnerTest, WantOfMemoryIsToBeTriedAgain) {
   script.on_finish = [] { throw std::bad_alloc(); };
   const auto runner = Run(script);
   AwaitTasks();
-  runner->Deliver(Committed(), "x");
+  runner->inbox().Deliver(Committed(), "x");
   EXPECT_TRUE(absl::IsResourceExhausted(AwaitOutcome().status()));
 }
 
@@ -267,7 +267,7 @@ TEST_F(JobRunnerTest, APipelineWithoutTasksThatIsNotDoneFails) {
   script.stalls = true;
   const auto runner = Run(script);
   AwaitTasks();
-  runner->Deliver(Committed(), "x");
+  runner->inbox().Deliver(Committed(), "x");
   EXPECT_TRUE(absl::IsInternal(AwaitOutcome().status()));
 }
 
@@ -281,7 +281,7 @@ TEST_F(JobRunnerTest, TheEndTakesTheBlobsAway) {
   {
     const auto runner = Run();
     AwaitTasks();
-    runner->Deliver(Committed(), "x");
+    runner->inbox().Deliver(Committed(), "x");
     EXPECT_TRUE(AwaitOutcome().ok());
     EXPECT_FALSE(runner->may_write());
   }
