@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -41,6 +40,58 @@ struct Made {
   int32_t vertex, cluster;
 };
 
+std::set<CellId> CellsAround(const Plan& plan, const std::vector<int32_t>& holes) {
+  std::set<CellId> cells;
+  for (const int32_t h : holes) {
+    const CellId c = plan.holes[h].cell;
+    for (int dr = -1; dr <= 1; ++dr) {
+      for (int dc = -1; dc <= 1; ++dc) cells.insert({c.col + dc, c.row + dr});
+    }
+  }
+  return cells;
+}
+
+// The height at a place of a surface that is known at a vertex.
+double GoingOn(const Plan& plan, const GroundSurface& surface, int32_t source, const Point3& at) {
+  return surface.height + surface.slope.dot((at - plan.vertices[source].position).head<2>());
+}
+
+// Where the surface passes, of an original that it need not meet. Beyond the grid line the surface goes on from where
+// the boundary crosses it.
+std::optional<double> GroundUnder(const Plan& plan, const SeamHeights& heights, int32_t plan_vertex, int32_t cluster) {
+  const auto ground = heights.ground.find({cluster, plan_vertex});
+  if (ground != heights.ground.end()) return ground->second.height;
+  const PlanVertex& p = plan.vertices[plan_vertex];
+  if (p.ground) return *p.ground;
+  if (p.follows < 0) return std::nullopt;
+  const auto beside = heights.ground.find({cluster, p.follows});
+  if (beside != heights.ground.end()) return GoingOn(plan, beside->second, p.follows, p.position);
+  const auto height = heights.height.find(p.follows);
+  const auto slope = heights.slope.find(p.follows);
+  if (height == heights.height.end() || slope == heights.slope.end()) return plan.vertices[p.follows].ground;
+  return GoingOn(plan, {height->second, slope->second.slope}, p.follows, p.position);
+}
+
+// Of a seam vertex, if it is settled. Off the grid line the surface goes on with its slope.
+std::optional<double> HeightOf(const Plan& plan, const SeamHeights& heights, int32_t plan_vertex, int32_t cluster) {
+  const PlanVertex& p = plan.vertices[plan_vertex];
+  const int32_t source = p.follows >= 0 ? p.follows : plan_vertex;
+  const PlanVertex& s = plan.vertices[source];
+  if (p.on_neighbour && p.on_object) return s.position.z();
+  if (const auto own = heights.height.find(plan_vertex); own != heights.height.end()) return own->second;
+  // Where the neighbour has surface the fill ends at its vertex, also if the surface of the cluster passes elsewhere.
+  if (p.on_neighbour && s.index >= 0) return s.position.z();
+  if (const auto ground = heights.ground.find({cluster, source}); ground != heights.ground.end()) {
+    return RoundedToLattice(GoingOn(plan, ground->second, source, p.position), plan.lattice_step);
+  }
+  if (s.index >= 0 || s.height_known) return s.position.z();
+  const auto height = heights.height.find(source);
+  if (height == heights.height.end()) return std::nullopt;
+  const auto slope = heights.slope.find(source);
+  const GroundSurface surface{height->second, slope == heights.slope.end() ? Point2(0, 0) : slope->second.slope};
+  return RoundedToLattice(GoingOn(plan, surface, source, p.position), plan.lattice_step);
+}
+
 class CellHolesBuilder {
  public:
   CellHolesBuilder(const Plan& plan, const PlanInput& input, const SeamHeights& heights)
@@ -70,24 +121,13 @@ class CellHolesBuilder {
     }
     if (with_band) {
       for (const RimVertex& v : result_.vertices) result_.band.points.push_back(v.position);
-      const std::set<CellId> around = CellsAround(holes);
+      const std::set<CellId> around = CellsAround(plan_, holes);
       for (const CellId tile : around) AddBand(tile, PlacesOfOthers(input_, tile, around));
     }
     return std::move(result_);
   }
 
  private:
-  std::set<CellId> CellsAround(const std::vector<int32_t>& holes) const {
-    std::set<CellId> cells;
-    for (const int32_t h : holes) {
-      const CellId c = plan_.holes[h].cell;
-      for (int dr = -1; dr <= 1; ++dr) {
-        for (int dc = -1; dc <= 1; ++dc) cells.insert({c.col + dc, c.row + dr});
-      }
-    }
-    return cells;
-  }
-
   StoredRecord RecordOf(CellId cell) const {
     const auto it = input_.cells.find(cell);
     return it == input_.cells.end() ? StoredRecord() : it->second;
@@ -133,58 +173,17 @@ class CellHolesBuilder {
     }
     if (p.on_object) v.seam_vertex = plan_vertex;
     if (p.on_object || (p.index >= 0 && heights_.walls.contains(cluster))) {
-      v.ground = GroundUnder(plan_vertex, cluster);
+      v.ground = GroundUnder(plan_, heights_, plan_vertex, cluster);
     }
     if (p.index < 0) {
       v.seam_vertex = plan_vertex;
-      const std::optional<double> height = HeightOf(plan_vertex, cluster);
+      const std::optional<double> height = HeightOf(plan_, heights_, plan_vertex, cluster);
       v.height_known = height.has_value();
       if (height) v.position.z() = *height;
       v.follows = p.follows;
     }
     result_.vertices.push_back(v);
     return number;
-  }
-
-  // Where the surface passes, of an original that it need not meet. Beyond the grid line the surface goes on from where
-  // the boundary crosses it.
-  std::optional<double> GroundUnder(int32_t plan_vertex, int32_t cluster) const {
-    const auto ground = heights_.ground.find({cluster, plan_vertex});
-    if (ground != heights_.ground.end()) return ground->second.height;
-    const PlanVertex& p = plan_.vertices[plan_vertex];
-    if (p.ground) return *p.ground;
-    if (p.follows < 0) return std::nullopt;
-    const auto beside = heights_.ground.find({cluster, p.follows});
-    if (beside != heights_.ground.end()) return GoingOn(beside->second, p.follows, p.position);
-    const auto height = heights_.height.find(p.follows);
-    const auto slope = heights_.slope.find(p.follows);
-    if (height == heights_.height.end() || slope == heights_.slope.end()) return plan_.vertices[p.follows].ground;
-    return GoingOn({height->second, slope->second.slope}, p.follows, p.position);
-  }
-
-  // The height at a place of a surface that is known at a vertex.
-  double GoingOn(const GroundSurface& surface, int32_t source, const Point3& at) const {
-    return surface.height + surface.slope.dot((at - plan_.vertices[source].position).head<2>());
-  }
-
-  // Of a seam vertex, if it is settled. Off the grid line the surface goes on with its slope.
-  std::optional<double> HeightOf(int32_t plan_vertex, int32_t cluster) const {
-    const PlanVertex& p = plan_.vertices[plan_vertex];
-    const int32_t source = p.follows >= 0 ? p.follows : plan_vertex;
-    const PlanVertex& s = plan_.vertices[source];
-    if (p.on_neighbour && p.on_object) return s.position.z();
-    if (const auto own = heights_.height.find(plan_vertex); own != heights_.height.end()) return own->second;
-    // Where the neighbour has surface the fill ends at its vertex, also if the surface of the cluster passes elsewhere.
-    if (p.on_neighbour && s.index >= 0) return s.position.z();
-    if (const auto ground = heights_.ground.find({cluster, source}); ground != heights_.ground.end()) {
-      return RoundedToLattice(GoingOn(ground->second, source, p.position), plan_.lattice_step);
-    }
-    if (s.index >= 0 || s.height_known) return s.position.z();
-    const auto height = heights_.height.find(source);
-    if (height == heights_.height.end()) return std::nullopt;
-    const auto slope = heights_.slope.find(source);
-    const GroundSurface surface{height->second, slope == heights_.slope.end() ? Point2(0, 0) : slope->second.slope};
-    return RoundedToLattice(GoingOn(surface, source, p.position), plan_.lattice_step);
   }
 
   void AddHole(int32_t h, const std::vector<RimSegment>& segments) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
 #include <set>
 #include <utility>
@@ -34,6 +33,141 @@ struct OwnedEnd {
   double t;
 };
 
+void MakeLines(const PlanInput& input, const GridLines& own, double lattice_step, JointTiles& joint) {
+  joint.lines.clipped = true;
+  joint.lines.joined = true;
+  joint.lines.tolerance = 0;
+  joint.lines.left_open = own.left_open;
+  joint.lines.outline = own.coordinate;
+  for (const auto& [cell, record] : input.cells) {
+    ClipSquare& square = joint.squares[cell];
+    for (const Side s : kSides) {
+      square.side[s] = RoundedToLattice(NominalLine(input.grid, cell, s), lattice_step);
+      square.cut[s] =
+          OutwardOf(s) > 0 ? std::min(square.side[s], own.At(cell, s)) : std::max(square.side[s], own.At(cell, s));
+      joint.lines.coordinate[cell][s] = square.side[s];
+    }
+  }
+}
+
+// The south-west corner of a cell stands for its place.
+CellId CornerOf(CellId cell, const std::array<Side, 2>& sides) {
+  return {cell.col + (sides[0] == kEast), cell.row + (sides[1] == kNorth)};
+}
+
+int32_t AddVertex(CellId cell, const Point3& position, std::vector<int32_t> through, bool outside, JointTiles& joint) {
+  SurveyRecord& record = joint.records.at(cell);
+  std::vector<std::vector<int32_t>>& edges = joint.edges_through.at(cell);
+  BoundaryVertex vertex;
+  vertex.index = outside ? -1 : static_cast<int32_t>(record.vertex_count) + static_cast<int32_t>(edges.size());
+  vertex.position = position;
+  vertex.centroid_height = position.z();
+  record.vertices.push_back(vertex);
+  edges.push_back(std::move(through));
+  return static_cast<int32_t>(record.vertices.size()) - 1;
+}
+
+void MakeRecord(CellId cell, const ClippedTile& clipped, JointTiles& joint) {
+  const SurveyRecord& own = *joint.own.at(cell);
+  SurveyRecord& record = joint.records[cell];
+  record.vertex_count = own.vertex_count;
+  record.triangle_count = own.triangle_count;
+  record.float32 = own.float32;
+  record.lo = own.lo, record.hi = own.hi;
+  record.vertices = own.vertices;
+  joint.edges_through[cell];
+  for (const ClipVertex& v : clipped.vertices) AddVertex(cell, v.position, v.through, v.outside, joint);
+  for (size_t i = 0; i < clipped.inner.size(); ++i) {
+    record.edges.push_back({clipped.inner[i].from, clipped.inner[i].to, clipped.on_area_edge[i] ? kAreaPiece : 0});
+  }
+}
+
+int32_t AddLineVertex(CellId cell, Side side, const LineVertex& v, JointTiles& joint) {
+  Point3 position;
+  position[AxisOf(side)] = joint.squares.at(cell).side[side];
+  position[1 - AxisOf(side)] = v.t;
+  position.z() = v.height;
+  return AddVertex(cell, position, {}, !v.on_surface, joint);
+}
+
+CellId TileOf(const Border& border, int tile) { return tile == 0 ? border.first : border.second; }
+
+Side SideOf(const Border& border, int tile) {
+  return IsVertical(border) ? (tile == 0 ? kEast : kWest) : (tile == 0 ? kNorth : kSouth);
+}
+
+// What is outside the area has no edges: there it is the edge of the area that bounds the hole in the other cell.
+void AddRun(const Border& border, const LineRun& run, JointTiles& joint) {
+  std::vector<LineVertex> vertices = run.vertices;
+  if (TurnOf(SideOf(border, run.tile)) < 0) std::reverse(vertices.begin(), vertices.end());
+  const int by = run.outside ? 1 - run.tile : run.tile;
+  const CellId cell = TileOf(border, by);
+  SurveyRecord& record = joint.records[cell];
+  joint.edges_through[cell];
+  int32_t last = -1;
+  for (const LineVertex& v : vertices) {
+    const int32_t node = AddLineVertex(cell, SideOf(border, by), v, joint);
+    if (last >= 0) record.edges.push_back({last, node, run.outside ? kAreaPiece : 0});
+    last = node;
+  }
+}
+
+// Places on the grid lines that are vertices whatever tiles cover: corners and ends of the area's edge.
+class FixedPlaces {
+ public:
+  // At a grid corner the height is that of all tiles in the mean.
+  void AddCorners(CellId cell, const ClipSquare& square, const SurveyRecord& tile) {
+    for (const BoundaryVertex& v : tile.vertices) {
+      for (const Side x : {kWest, kEast}) {
+        for (const Side y : {kSouth, kNorth}) {
+          if (!square.Beyond(v.position, x) || !square.Beyond(v.position, y)) continue;
+          auto& [sum, count] = corner_height_[CornerOf(cell, {x, y})];
+          sum += v.position.z();
+          ++count;
+        }
+      }
+    }
+  }
+
+  // Where the edge of the area ends in the clipped boundary, or goes on beside it.
+  void AddAreaEnds(const std::vector<BoundaryVertex>& vertices, const ClippedTile& clipped) {
+    for (size_t i = 0; i < clipped.inner.size(); ++i) {
+      if (!clipped.on_area_edge[i]) continue;
+      for (const int32_t v : {clipped.inner[i].from, clipped.inner[i].to}) {
+        const int32_t of_clip = v - static_cast<int32_t>(vertices.size());
+        if (of_clip >= 0 ? !clipped.vertices[of_clip].outside : vertices[v].index >= 0) continue;
+        const Point3& p = of_clip >= 0 ? clipped.vertices[of_clip].position : vertices[v].position;
+        for (const int axis : {0, 1}) area_ends_[{axis, p[axis]}].insert(p[1 - axis]);
+      }
+    }
+  }
+
+  // The ends of the area's edge on a side, and the side's own.
+  std::map<double, LineVertex> On(CellId cell, Side side, const ClipSquare& square, bool has_area) const {
+    std::map<double, LineVertex> fixed;
+    const Side low = AxisOf(side) == 0 ? kSouth : kWest;
+    for (const Side end : {low, Opposite(low)}) {
+      const double t = square.side[end];
+      const auto it = corner_height_.find(
+          CornerOf(cell, AxisOf(side) == 0 ? std::array<Side, 2>{side, end} : std::array<Side, 2>{end, side}));
+      if (it != corner_height_.end()) {
+        fixed[t] = {t, it->second.first / it->second.second};
+      } else if (has_area) {
+        fixed[t] = {t, 0, false};
+      }
+    }
+    const auto ends = area_ends_.find({AxisOf(side), square.side[side]});
+    if (ends == area_ends_.end()) return fixed;
+    const auto last = ends->second.upper_bound(square.side[low + 1]);
+    for (auto t = ends->second.lower_bound(square.side[low]); t != last; ++t) fixed[*t] = {*t, 0, false};
+    return fixed;
+  }
+
+ private:
+  std::map<std::pair<int, double>, std::set<double>> area_ends_;  // by axis and the place on it: places on the other
+  std::map<CellId, std::pair<double, int>> corner_height_;        // by the cell north-east of it: sum and count
+};
+
 class Joiner {
  public:
   Joiner(const PlanInput& input, const GridLines& own, double lattice_step, const std::vector<Ring>& area_rings,
@@ -43,7 +177,7 @@ class Joiner {
   void Run() {
     joint_.input = input_;
     joint_.input.area = {};
-    MakeLines();
+    MakeLines(input_, own_, lattice_step_, joint_);
     for (const auto& [cell, record] : input_.cells) Clip(cell, record);
     std::set<Border> borders;
     for (const auto& [cell, clipped] : clipped_) {
@@ -51,29 +185,22 @@ class Joiner {
     }
     for (const Border& border : borders) MergeNearEnds(border);
     for (auto& [cell, clipped] : clipped_) {
-      FindAreaEnds(cell, clipped);
-      MakeRecord(cell, clipped);
+      fixed_.AddAreaEnds(joint_.own.at(cell)->vertices, clipped);
+      MakeRecord(cell, clipped, joint_);
     }
     for (const Border& border : borders) AddBorder(border);
     for (auto& [cell, record] : joint_.records) joint_.input.cells[cell] = &record;
   }
 
  private:
-  void MakeLines() {
-    joint_.lines.clipped = true;
-    joint_.lines.joined = true;
-    joint_.lines.tolerance = 0;
-    joint_.lines.left_open = own_.left_open;
-    joint_.lines.outline = own_.coordinate;
-    for (const auto& [cell, record] : input_.cells) {
-      ClipSquare& square = joint_.squares[cell];
-      for (const Side s : kSides) {
-        square.side[s] = RoundedToLattice(NominalLine(input_.grid, cell, s), lattice_step_);
-        square.cut[s] =
-            OutwardOf(s) > 0 ? std::min(square.side[s], own_.At(cell, s)) : std::max(square.side[s], own_.At(cell, s));
-        joint_.lines.coordinate[cell][s] = square.side[s];
-      }
+  AreaOutside OutsideOf(CellId cell) const {
+    if (area_rings_.empty()) return {};
+    std::array<double, 4> box;
+    for (const Side s : kSides) {
+      const double line = joint_.squares.at(cell).side[s], outline = own_.At(cell, s);
+      box[s] = OutwardOf(s) > 0 ? std::max(line, outline) : std::min(line, outline);
     }
+    return OutsideIn(area_rings_, box, lattice_step_);
   }
 
   void Clip(CellId cell, const StoredRecord& stored) {
@@ -85,7 +212,7 @@ class Joiner {
     ClippedTile& clipped = clipped_[cell] = ClipTile(record, on_piece_outline, joint_.squares.at(cell), outside);
     std::vector<bool> chain = clipped.cut;
     for (size_t e = 0; e < chain.size(); ++e) chain[e] = chain[e] && !on_piece_outline[e];
-    AverageCorners(cell, record);
+    fixed_.AddCorners(cell, joint_.squares.at(cell), record);
     if (outside.empty()) {
       joint_.own[cell] = tile;
       joint_.cut[cell] = clipped.cut;
@@ -93,16 +220,6 @@ class Joiner {
     } else {
       TakeArea(cell, record, outside, chain);
     }
-  }
-
-  AreaOutside OutsideOf(CellId cell) const {
-    if (area_rings_.empty()) return {};
-    std::array<double, 4> box;
-    for (const Side s : kSides) {
-      const double line = joint_.squares.at(cell).side[s], outline = own_.At(cell, s);
-      box[s] = OutwardOf(s) > 0 ? std::max(line, outline) : std::min(line, outline);
-    }
-    return OutsideIn(area_rings_, box, lattice_step_);
   }
 
   // The tile's own boundary becomes that of its part inside the area.
@@ -122,79 +239,6 @@ class Joiner {
       std::erase(v.through, -1);
     }
     joint_.own[cell] = std::make_shared<const SurveyRecord>(std::move(tile.record));
-  }
-
-  // The south-west corner of a cell stands for its place.
-  static CellId CornerOf(CellId cell, const std::array<Side, 2>& sides) {
-    return {cell.col + (sides[0] == kEast), cell.row + (sides[1] == kNorth)};
-  }
-
-  void AverageCorners(CellId cell, const SurveyRecord& tile) {
-    const ClipSquare& square = joint_.squares.at(cell);
-    for (const BoundaryVertex& v : tile.vertices) {
-      for (const Side x : {kWest, kEast}) {
-        for (const Side y : {kSouth, kNorth}) {
-          if (!square.Beyond(v.position, x) || !square.Beyond(v.position, y)) continue;
-          auto& [sum, count] = corner_height_[CornerOf(cell, {x, y})];
-          sum += v.position.z();
-          ++count;
-        }
-      }
-    }
-  }
-
-  // Where the edge of the area ends in the clipped boundary, or goes on beside it.
-  void FindAreaEnds(CellId cell, const ClippedTile& clipped) {
-    const std::vector<BoundaryVertex>& vertices = joint_.own.at(cell)->vertices;
-    for (size_t i = 0; i < clipped.inner.size(); ++i) {
-      if (!clipped.on_area_edge[i]) continue;
-      for (const int32_t v : {clipped.inner[i].from, clipped.inner[i].to}) {
-        const int32_t of_clip = v - static_cast<int32_t>(vertices.size());
-        if (of_clip >= 0 ? !clipped.vertices[of_clip].outside : vertices[v].index >= 0) continue;
-        const Point3& p = of_clip >= 0 ? clipped.vertices[of_clip].position : vertices[v].position;
-        for (const int axis : {0, 1}) area_ends_[{axis, p[axis]}].insert(p[1 - axis]);
-      }
-    }
-  }
-
-  void MakeRecord(CellId cell, const ClippedTile& clipped) {
-    const SurveyRecord& own = *joint_.own.at(cell);
-    SurveyRecord& record = joint_.records[cell];
-    record.vertex_count = own.vertex_count;
-    record.triangle_count = own.triangle_count;
-    record.float32 = own.float32;
-    record.lo = own.lo, record.hi = own.hi;
-    record.vertices = own.vertices;
-    joint_.edges_through[cell];
-    for (const ClipVertex& v : clipped.vertices) AddVertex(cell, v.position, v.through, v.outside);
-    for (size_t i = 0; i < clipped.inner.size(); ++i) {
-      record.edges.push_back({clipped.inner[i].from, clipped.inner[i].to, clipped.on_area_edge[i] ? kAreaPiece : 0});
-    }
-  }
-
-  int32_t AddVertex(CellId cell, const Point3& position, std::vector<int32_t> through, bool outside) {
-    SurveyRecord& record = joint_.records.at(cell);
-    std::vector<std::vector<int32_t>>& edges = joint_.edges_through.at(cell);
-    BoundaryVertex vertex;
-    vertex.index = outside ? -1 : static_cast<int32_t>(record.vertex_count) + static_cast<int32_t>(edges.size());
-    vertex.position = position;
-    vertex.centroid_height = position.z();
-    record.vertices.push_back(vertex);
-    edges.push_back(std::move(through));
-    return static_cast<int32_t>(record.vertices.size()) - 1;
-  }
-
-  int32_t AddLineVertex(CellId cell, Side side, const LineVertex& v) {
-    Point3 position;
-    position[AxisOf(side)] = joint_.squares.at(cell).side[side];
-    position[1 - AxisOf(side)] = v.t;
-    position.z() = v.height;
-    return AddVertex(cell, position, {}, !v.on_surface);
-  }
-
-  static CellId TileOf(const Border& border, int tile) { return tile == 0 ? border.first : border.second; }
-  static Side SideOf(const Border& border, int tile) {
-    return IsVertical(border) ? (tile == 0 ? kEast : kWest) : (tile == 0 ? kNorth : kSouth);
   }
 
   ClippedTile* ClippedOf(const Border& border, int tile) {
@@ -268,50 +312,13 @@ class Joiner {
     return cover;
   }
 
-  // The ends of the area's edge on a side, and the side's own: at a grid corner the height is that of all tiles in the
-  // mean.
-  std::map<double, LineVertex> FixedOn(CellId cell, Side side) const {
-    std::map<double, LineVertex> fixed;
-    const ClipSquare& square = joint_.squares.at(cell);
-    const Side low = AxisOf(side) == 0 ? kSouth : kWest;
-    for (const Side end : {low, Opposite(low)}) {
-      const double t = square.side[end];
-      const auto it = corner_height_.find(
-          CornerOf(cell, AxisOf(side) == 0 ? std::array<Side, 2>{side, end} : std::array<Side, 2>{end, side}));
-      if (it != corner_height_.end()) {
-        fixed[t] = {t, it->second.first / it->second.second};
-      } else if (!area_rings_.empty()) {
-        fixed[t] = {t, 0, false};
-      }
-    }
-    const auto ends = area_ends_.find({AxisOf(side), square.side[side]});
-    if (ends == area_ends_.end()) return fixed;
-    const auto last = ends->second.upper_bound(square.side[low + 1]);
-    for (auto t = ends->second.lower_bound(square.side[low]); t != last; ++t) fixed[*t] = {*t, 0, false};
-    return fixed;
-  }
-
   // The stretches of a line where one tile has surface and the other has not are edges of the one that has.
   void AddBorder(const Border& border) {
     const int tile = ClippedOf(border, 0) != nullptr ? 0 : 1;
-    const auto fixed = FixedOn(TileOf(border, tile), SideOf(border, tile));
-    for (const LineRun& run : FindLineRuns({CoverOf(border, 0), CoverOf(border, 1)}, fixed)) AddRun(border, run);
-  }
-
-  // What is outside the area has no edges: there it is the edge of the area that bounds the hole in the other cell.
-  void AddRun(const Border& border, const LineRun& run) {
-    std::vector<LineVertex> vertices = run.vertices;
-    if (TurnOf(SideOf(border, run.tile)) < 0) std::reverse(vertices.begin(), vertices.end());
-    const int by = run.outside ? 1 - run.tile : run.tile;
-    const CellId cell = TileOf(border, by);
-    SurveyRecord& record = joint_.records[cell];
-    joint_.edges_through[cell];
-    int32_t last = -1;
-    for (const LineVertex& v : vertices) {
-      const int32_t node = AddLineVertex(cell, SideOf(border, by), v);
-      if (last >= 0) record.edges.push_back({last, node, run.outside ? kAreaPiece : 0});
-      last = node;
-    }
+    const CellId cell = TileOf(border, tile);
+    const auto fixed = fixed_.On(cell, SideOf(border, tile), joint_.squares.at(cell), !area_rings_.empty());
+    for (const LineRun& run : FindLineRuns({CoverOf(border, 0), CoverOf(border, 1)}, fixed))
+      AddRun(border, run, joint_);
   }
 
   inline static const SurveyRecord kNoTile;
@@ -322,8 +329,7 @@ class Joiner {
   const std::vector<Ring>& area_rings_;
   JointTiles& joint_;
   std::map<CellId, ClippedTile> clipped_;
-  std::map<std::pair<int, double>, std::set<double>> area_ends_;  // by axis and the place on it: places on the other
-  std::map<CellId, std::pair<double, int>> corner_height_;        // by the cell north-east of it: sum and count
+  FixedPlaces fixed_;
 };
 
 }  // namespace

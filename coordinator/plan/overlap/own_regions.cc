@@ -6,13 +6,13 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 #include "common/mesh/rounding.h"
 #include "coordinator/plan/overlap/chain_groups.h"
 #include "coordinator/plan/overlap/link_parts.h"
 #include "coordinator/plan/overlap/lost_region.h"
+#include "coordinator/plan/overlap/outline_vertices.h"
 #include "coordinator/plan/overlap/outline_walk.h"
 #include "coordinator/plan/overlap/picture_edges.h"
 #include "coordinator/plan/rim/rim.h"
@@ -26,14 +26,6 @@ constexpr double kClearance = 0.25;  // of its size: a new vertex is not nearer 
 constexpr char kLost[] = "its boundary cannot be followed to the tile's own outline: pieces overlap too far there";
 
 constexpr double kLeastSteps = 4;  // of the lattice: new vertices on an outline are not nearer to each other
-
-// A vertex of the plan on a grid line, level with a place on the tile's own outline.
-struct LineVertex {
-  double place = 0;
-  int32_t vertex = 0;
-  std::vector<Side> sides;
-  bool on_rim = false;  // the neighbour's surface bounds the hole there
-};
 
 // Seen from above.
 double LengthOf(const Plan& plan, const std::vector<RimSegment>& segments) {
@@ -82,58 +74,106 @@ void Absorb(PlannedHole& part, PlannedHole& hole) {
   part.segments.clear();
 }
 
-// New vertices on a tile's outline, with the surface of vertices on the grid lines that they follow.
-class OutlineVertices {
- public:
-  OutlineVertices(CellId cell, const Outline& outline, Plan& plan) : cell_(cell), outline_(outline), plan_(plan) {}
+// The chains of one tile's boundary that bound holes.
+struct TileChains {
+  std::vector<bool> cut, chain;  // as in JointTiles
+  OutlineWalk walk;
+  std::optional<PictureEdges> picture;  // of a tile with surface or area
 
-  // Level with one on a grid line, or two; always the same one.
-  int32_t Beside(const LineVertex& line) {
-    const auto [it, fresh] = beside_.try_emplace(line.vertex, 0);
-    if (!fresh) return it->second;
-    Point3 position = plan_.vertices[line.vertex].position;
-    uint8_t lines = 0;
-    for (const Side s : line.sides) {
-      position[AxisOf(s)] = outline_.side[s];
-      lines |= LineOf(s);
+  bool IsChain(size_t e) const { return chain[e] && !walk.on_outline[e]; }
+
+  // The edges of the tile's chains that a segment of the plan is, or is a part of.
+  std::vector<int32_t> EdgesOf(const RimSegment& s) const {
+    std::vector<int32_t> edges;
+    if (!picture) return edges;
+    const std::optional<int32_t> whole = picture->Whole(s);
+    if (whole && IsChain(*whole)) edges.push_back(*whole);
+    if (s.seam) return edges;
+    std::ranges::copy_if(picture->AtEnds(s), std::back_inserter(edges), [&](int32_t e) { return IsChain(e); });
+    return edges;
+  }
+
+  // The segments that are edges of the tile which were not cut.
+  std::vector<RimSegment> WholeSegments(const PlannedHole& hole) const {
+    std::vector<RimSegment> whole;
+    for (const RimSegment& s : hole.segments) {
+      const std::optional<int32_t> edge = picture ? picture->Whole(s) : std::nullopt;
+      if (edge && !cut[*edge]) whole.push_back(s);
     }
-    it->second = Add(line.vertex, position, lines);
-    plan_.vertices[it->second].on_neighbour = line.on_rim;
-    return it->second;
+    return whole;
   }
-
-  int32_t AtCorner(int corner, int32_t source) {
-    const Point2 at = outline_.CornerAt(corner);
-    return Add(source, {at.x(), at.y(), plan_.vertices[source].position.z()}, 3);
-  }
-
-  // At the place where the way from a chain that ends off the outline, at that of a piece, comes to it.
-  std::optional<int32_t> Ahead(int32_t end, double place, int32_t source) {
-    const Point3& from = plan_.vertices[end].position;
-    if (outline_.SideAt(from)) return std::nullopt;
-    const auto [at, side] = outline_.At(place);
-    return Add(source, {at.x(), at.y(), from.z()}, LineOf(side));
-  }
-
- private:
-  static uint8_t LineOf(Side side) { return AxisOf(side) == 0 ? 1 : 2; }
-
-  int32_t Add(int32_t source, const Point3& position, uint8_t lines) {
-    PlanVertex v = plan_.vertices[source];
-    v.tile = cell_;
-    v.index = -1;
-    v.follows = source;
-    v.position = position;
-    v.lines = lines;
-    plan_.vertices.push_back(v);
-    return static_cast<int32_t>(plan_.vertices.size()) - 1;
-  }
-
-  const CellId cell_;
-  const Outline& outline_;
-  Plan& plan_;
-  std::unordered_map<int32_t, int32_t> beside_;  // plan vertex on a grid line -> on the outline
 };
+
+std::vector<ChainGroup> GroupsOf(const std::vector<size_t>& holes, const Plan& plan, const SurveyRecord& record,
+                                 const TileChains& chains) {
+  std::vector<bool> is_chain(record.edges.size());
+  for (size_t e = 0; e < is_chain.size(); ++e) is_chain[e] = chains.IsChain(e);
+  std::vector<std::vector<int32_t>> edges_of_hole;
+  for (const size_t h : holes) {
+    std::vector<int32_t>& edges = edges_of_hole.emplace_back();
+    for (const RimSegment& s : plan.holes[h].segments) {
+      const std::vector<int32_t> of_segment = chains.EdgesOf(s);
+      edges.insert(edges.end(), of_segment.begin(), of_segment.end());
+    }
+  }
+  std::vector<ChainGroup> groups = GroupChains(record, is_chain, chains.walk.gaps, edges_of_hole);
+  for (ChainGroup& group : groups) {
+    for (size_t& h : group.holes) h = holes[h];
+  }
+  return groups;
+}
+
+std::vector<Side> SidesOf(const Plan& plan, const ClipSquare& square, int32_t v) {
+  std::vector<Side> sides;
+  for (const Side s : kSides) {
+    if (plan.vertices[v].position[AxisOf(s)] == square.side[s]) sides.push_back(s);
+  }
+  return sides;
+}
+
+double PlaceOnOutline(const Point3& position, const std::vector<Side>& sides, const Outline& outline) {
+  if (sides.size() == 1) return outline.PlaceOf(position, sides[0]);
+  const bool east = sides[0] == kEast, north = sides[1] == kNorth;
+  return outline.CornerPlace(north ? (east ? 2 : 3) : (east ? 1 : 0));
+}
+
+// The holes' vertices on the grid lines, around the tile's outline.
+std::vector<VertexOnLine> VerticesOnLines(const Plan& plan, const PlannedHole& hole, const ClipSquare& square,
+                                          const Outline& outline, const std::optional<PictureEdges>& picture) {
+  std::map<int32_t, VertexOnLine> found;
+  for (const RimSegment& s : hole.segments) {
+    for (const int32_t v : {s.from, s.to}) {
+      const std::vector<Side> sides = SidesOf(plan, square, v);
+      if (sides.empty() || (picture && picture->IsOwn(v))) continue;
+      VertexOnLine& at = found[v];
+      const bool on_rim =
+          at.on_rim || (!s.seam && HaveCommon(SidesOf(plan, square, s.from), SidesOf(plan, square, s.to)));
+      at = {PlaceOnOutline(plan.vertices[v].position, sides, outline), v, sides, on_rim};
+    }
+  }
+  std::vector<VertexOnLine> line;
+  for (const auto& [v, at] : found) line.push_back(at);
+  std::sort(line.begin(), line.end(), [](const VertexOnLine& a, const VertexOnLine& b) {
+    return std::pair(a.place, a.vertex) < std::pair(b.place, b.vertex);
+  });
+  return line;
+}
+
+int32_t Nearest(double place, const std::vector<VertexOnLine>& line, const Outline& outline) {
+  const double length = outline.Length();
+  const auto distance = [&](const VertexOnLine& v) {
+    const double d = std::fmod(std::abs(v.place - place), length);
+    return std::min(d, length - d);
+  };
+  return std::min_element(line.begin(), line.end(),
+                          [&](const VertexOnLine& a, const VertexOnLine& b) { return distance(a) < distance(b); })
+      ->vertex;
+}
+
+const SurveyRecord& NoTile() {
+  static const SurveyRecord none;
+  return none;
+}
 
 // The regions of one cell.
 class CellRegions {
@@ -141,7 +181,7 @@ class CellRegions {
   CellRegions(CellId cell, const GridLines& own, const JointTiles& joint, const std::vector<bool>& in_picture,
               const std::vector<size_t>& holes, Plan& plan)
       : cell_(cell),
-        record_(joint.own.contains(cell) ? *joint.own.at(cell) : kEmpty),
+        record_(joint.own.contains(cell) ? *joint.own.at(cell) : NoTile()),
         square_(joint.squares.at(cell)),
         in_picture_(in_picture),
         plan_(plan),
@@ -149,32 +189,32 @@ class CellRegions {
     for (const Side s : kSides) outline_.side[s] = own.At(cell, s);
     std::vector<ChainPassage> passages;
     if (joint.own.contains(cell)) {
-      cut_ = joint.cut.at(cell);
-      chain_ = joint.chain.at(cell);
+      chains_.cut = joint.cut.at(cell);
+      chains_.chain = joint.chain.at(cell);
       std::vector<int32_t>& of = plan_.vertex_of_boundary[cell];
       of.resize(joint.records.at(cell).vertices.size(), -1);  // it may have none that bounds a hole
-      picture_.emplace(joint, cell, of);
+      chains_.picture.emplace(joint, cell, of);
       for (const size_t h : holes) {
-        const std::vector<ChainPassage> of_hole = picture_->PassagesOf(plan, plan.holes[h]);
+        const std::vector<ChainPassage> of_hole = chains_.picture->PassagesOf(plan, plan.holes[h]);
         passages.insert(passages.end(), of_hole.begin(), of_hole.end());
       }
     }
-    walk_ = WalkOutline(record_, chain_, outline_, own.pieces.reach, passages);
+    chains_.walk = WalkOutline(record_, chains_.chain, outline_, own.pieces.reach, passages);
   }
 
   // Of the holes of this cell. Those that one chain bounds become one; what is none stays without segments.
   void Lay(const std::vector<size_t>& holes) {
-    for (const ChainGroup& members : Groups(holes)) {
+    for (const ChainGroup& members : GroupsOf(holes, plan_, record_, chains_)) {
       PlannedHole& first = plan_.holes[members.holes.front()];
       for (size_t i = 1; i < members.holes.size(); ++i) Absorb(plan_.holes[members.holes[i]], first);
-      std::vector<RimSegment> region = WholeSegments(first);
+      std::vector<RimSegment> region = chains_.WholeSegments(first);
       const size_t whole = region.size();
       for (const int32_t e : members.edges) AddEdge(record_.edges[e], first, region);
-      const std::vector<LineVertex> line = LineVertices(first);
+      const std::vector<VertexOnLine> line = VerticesOnLines(plan_, first, square_, outline_, chains_.picture);
       LinkParts link_parts(LengthOf(plan_, region), std::ssize(region));
       for (const OutlineGap& gap : members.gaps) AddGap(gap, first, line, link_parts, region);
       const bool is_at_outline = std::ranges::any_of(members.gaps, &OutlineGap::open);  // of the tile
-      const bool is_ring = walk_.all_open && !line.empty() && !is_at_outline;
+      const bool is_ring = chains_.walk.all_open && !line.empty() && !is_at_outline;
       if (is_ring) AddRing(line, region);
       const bool on_outline = is_ring || is_at_outline;
       if (!region.empty() && IsLostRegion(plan_, first.segments, region, on_outline)) {
@@ -188,81 +228,6 @@ class CellRegions {
   }
 
  private:
-  std::vector<ChainGroup> Groups(const std::vector<size_t>& holes) const {
-    std::vector<bool> is_chain(record_.edges.size());
-    for (size_t e = 0; e < is_chain.size(); ++e) is_chain[e] = IsChain(e);
-    std::vector<std::vector<int32_t>> edges_of_hole;
-    for (const size_t h : holes) {
-      std::vector<int32_t>& edges = edges_of_hole.emplace_back();
-      for (const RimSegment& s : plan_.holes[h].segments) {
-        const std::vector<int32_t> of_segment = EdgesOf(s);
-        edges.insert(edges.end(), of_segment.begin(), of_segment.end());
-      }
-    }
-    std::vector<ChainGroup> groups = GroupChains(record_, is_chain, walk_.gaps, edges_of_hole);
-    for (ChainGroup& group : groups) {
-      for (size_t& h : group.holes) h = holes[h];
-    }
-    return groups;
-  }
-
-  bool IsChain(size_t e) const { return chain_[e] && !walk_.on_outline[e]; }
-
-  // The edges of the tile's chains that a segment of the plan is, or is a part of.
-  std::vector<int32_t> EdgesOf(const RimSegment& s) const {
-    std::vector<int32_t> edges;
-    if (!picture_) return edges;
-    const std::optional<int32_t> whole = picture_->Whole(s);
-    if (whole && IsChain(*whole)) edges.push_back(*whole);
-    if (s.seam) return edges;
-    std::ranges::copy_if(picture_->AtEnds(s), std::back_inserter(edges), [&](int32_t e) { return IsChain(e); });
-    return edges;
-  }
-
-  // The segments that are edges of the tile which were not cut.
-  std::vector<RimSegment> WholeSegments(const PlannedHole& hole) const {
-    std::vector<RimSegment> whole;
-    for (const RimSegment& s : hole.segments) {
-      const std::optional<int32_t> edge = picture_ ? picture_->Whole(s) : std::nullopt;
-      if (edge && !cut_[*edge]) whole.push_back(s);
-    }
-    return whole;
-  }
-
-  // The holes' vertices on the grid lines, around the tile's outline.
-  std::vector<LineVertex> LineVertices(const PlannedHole& hole) const {
-    std::map<int32_t, LineVertex> found;
-    for (const RimSegment& s : hole.segments) {
-      for (const int32_t v : {s.from, s.to}) {
-        const std::vector<Side> sides = SidesOf(v);
-        if (sides.empty() || (picture_ && picture_->IsOwn(v))) continue;
-        LineVertex& at = found[v];
-        const bool on_rim = at.on_rim || (!s.seam && HaveCommon(SidesOf(s.from), SidesOf(s.to)));
-        at = {PlaceOf(v, sides), v, sides, on_rim};
-      }
-    }
-    std::vector<LineVertex> line;
-    for (const auto& [v, at] : found) line.push_back(at);
-    std::sort(line.begin(), line.end(), [](const LineVertex& a, const LineVertex& b) {
-      return std::pair(a.place, a.vertex) < std::pair(b.place, b.vertex);
-    });
-    return line;
-  }
-
-  std::vector<Side> SidesOf(int32_t v) const {
-    std::vector<Side> sides;
-    for (const Side s : kSides) {
-      if (plan_.vertices[v].position[AxisOf(s)] == square_.side[s]) sides.push_back(s);
-    }
-    return sides;
-  }
-
-  double PlaceOf(int32_t v, const std::vector<Side>& sides) const {
-    if (sides.size() == 1) return outline_.PlaceOf(plan_.vertices[v].position, sides[0]);
-    const bool east = sides[0] == kEast, north = sides[1] == kNorth;
-    return outline_.CornerPlace(north ? (east ? 2 : 3) : (east ? 1 : 0));
-  }
-
   int32_t PlanVertexOf(int32_t own) const { return plan_.vertex_of_boundary.at(cell_)[own]; }
 
   void AddEdge(const BoundaryEdge& e, const PlannedHole& hole, std::vector<RimSegment>& region) {
@@ -290,7 +255,7 @@ class CellRegions {
   }
 
   // From the end of one chain along the outline to the next, over new vertices beside those on the grid lines.
-  void AddGap(const OutlineGap& gap, const PlannedHole& hole, const std::vector<LineVertex>& line,
+  void AddGap(const OutlineGap& gap, const PlannedHole& hole, const std::vector<VertexOnLine>& line,
               LinkParts& link_parts, std::vector<RimSegment>& region) {
     for (const int32_t e : gap.along) AddEdge(record_.edges[e], hole, region);
     const auto [own_from, own_to] = gap.link.value_or(std::pair(gap.from, gap.to));
@@ -301,14 +266,14 @@ class CellRegions {
       const bool apart =
           gap.end - gap.begin > kClearance * std::min(plan_.vertices[from].size, plan_.vertices[to].size);
       const auto add_ahead = [&](int32_t end, double place) {
-        const auto v = apart ? new_.Ahead(end, place, Nearest(place, line)) : std::nullopt;
+        const auto v = apart ? new_.Ahead(end, place, Nearest(place, line, outline_)) : std::nullopt;
         if (v) way.push_back(*v);
       };
       add_ahead(from, gap.begin);
       for (const int32_t v : Between(gap, line)) way.push_back(v);
       add_ahead(to, gap.end);
-      Follow(from, Nearest(gap.begin, line));
-      Follow(to, Nearest(gap.end, line));
+      Follow(from, Nearest(gap.begin, line, outline_));
+      Follow(to, Nearest(gap.end, line, outline_));
     }
     if (way.size() == 1) AddLink(gap, to, hole, link_parts, way);
     way.push_back(to);
@@ -343,8 +308,9 @@ class CellRegions {
       v.size = parts == 1 ? std::min(from.size, to.size) : length / static_cast<double>(parts);
       for (int64_t k = 1; k <= parts; ++k) {
         const double share = static_cast<double>(k) / static_cast<double>(parts);
-        v.position = OnLattice(a + share * leg);
-        if (v.position == OnLattice(plan_.vertices[way.back()].position) || v.position == OnLattice(to.position)) {
+        v.position = RoundedToLattice(Point3(a + share * leg), plan_.lattice_step);
+        if (v.position == RoundedToLattice(plan_.vertices[way.back()].position, plan_.lattice_step) ||
+            v.position == RoundedToLattice(to.position, plan_.lattice_step)) {
           continue;  // the ends may lie beside the lattice
         }
         if (!v.height_known) v.follows = NearestOf(plan_, hole.segments, v.position);
@@ -354,12 +320,10 @@ class CellRegions {
     }
   }
 
-  Point3 OnLattice(const Point3& p) const { return RoundedToLattice(p, plan_.lattice_step); }
-
-  std::vector<int32_t> Between(const OutlineGap& gap, const std::vector<LineVertex>& line) {
+  std::vector<int32_t> Between(const OutlineGap& gap, const std::vector<VertexOnLine>& line) {
     const double length = outline_.Length();
     std::map<double, int32_t> between;
-    for (const LineVertex& v : line) {
+    for (const VertexOnLine& v : line) {
       const double place = v.place >= gap.begin ? v.place : v.place + length;
       const bool corner = v.sides.size() == 2;
       const double size = plan_.vertices[v.vertex].size;
@@ -372,7 +336,7 @@ class CellRegions {
     for (int c = 0; c < 8; ++c) {
       const double place = outline_.CornerPlace(c % 4) + (c >= 4 ? length : 0);
       if (place > gap.begin && place < gap.end && !between.contains(place)) {
-        between.emplace(place, new_.AtCorner(c % 4, Nearest(place, line)));
+        between.emplace(place, new_.AtCorner(c % 4, Nearest(place, line, outline_)));
       }
     }
     std::vector<int32_t> vertices;
@@ -385,12 +349,12 @@ class CellRegions {
     return vertices;
   }
 
-  void AddRing(const std::vector<LineVertex>& line, std::vector<RimSegment>& region) {
+  void AddRing(const std::vector<VertexOnLine>& line, std::vector<RimSegment>& region) {
     std::map<double, int32_t> ring;
-    for (const LineVertex& v : line) ring.emplace(v.place, new_.Beside(v));
+    for (const VertexOnLine& v : line) ring.emplace(v.place, new_.Beside(v));
     for (int c = 0; c < 4; ++c) {
       const double place = outline_.CornerPlace(c);
-      if (!ring.contains(place)) ring.emplace(place, new_.AtCorner(c, Nearest(place, line)));
+      if (!ring.contains(place)) ring.emplace(place, new_.AtCorner(c, Nearest(place, line, outline_)));
     }
     for (auto it = ring.begin(); it != ring.end(); ++it) {
       const auto next = std::next(it) == ring.end() ? ring.begin() : std::next(it);
@@ -398,22 +362,9 @@ class CellRegions {
     }
   }
 
-  int32_t Nearest(double place, const std::vector<LineVertex>& line) const {
-    const double length = outline_.Length();
-    const auto distance = [&](const LineVertex& v) {
-      const double d = std::fmod(std::abs(v.place - place), length);
-      return std::min(d, length - d);
-    };
-    return std::min_element(line.begin(), line.end(),
-                            [&](const LineVertex& a, const LineVertex& b) { return distance(a) < distance(b); })
-        ->vertex;
-  }
-
   void Follow(int32_t end, int32_t source) {
     if (plan_.vertices[end].index >= 0 && plan_.vertices[end].follows < 0) plan_.vertices[end].follows = source;
   }
-
-  inline static const SurveyRecord kEmpty;
 
   const CellId cell_;
   const SurveyRecord& record_;
@@ -422,9 +373,7 @@ class CellRegions {
   Plan& plan_;
   Outline outline_;
   OutlineVertices new_;
-  std::vector<bool> cut_, chain_;  // as in JointTiles
-  OutlineWalk walk_;
-  std::optional<PictureEdges> picture_;  // of a tile with surface or area
+  TileChains chains_;
 };
 
 }  // namespace

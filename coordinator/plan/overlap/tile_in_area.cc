@@ -4,10 +4,10 @@
 #include <array>
 #include <limits>
 #include <set>
-#include <span>
 #include <utility>
 
 #include "common/mesh/winding/wound_region.h"
+#include "coordinator/plan/overlap/placed_region.h"
 #include "coordinator/plan/rim/rim.h"
 #include "coordinator/plan/types/cell_side.h"
 
@@ -16,6 +16,23 @@ namespace {
 
 Point2 FlatPoint(const Point3& p) { return p.head<2>(); }
 
+// The vertices of the tile, then those outside the area.
+SurveyRecord WithOutside(const SurveyRecord& tile, const AreaOutside& outside) {
+  SurveyRecord record;
+  record.vertex_count = tile.vertex_count;
+  record.triangle_count = tile.triangle_count;
+  record.float32 = tile.float32;
+  record.lo = tile.lo, record.hi = tile.hi;
+  record.vertices = tile.vertices;
+  for (const Point2& p : outside.points) {
+    BoundaryVertex vertex;
+    vertex.index = -1;
+    vertex.position = {p.x(), p.y(), 0};
+    record.vertices.push_back(vertex);
+  }
+  return record;
+}
+
 class AreaTaker {
  public:
   AreaTaker(const SurveyRecord& record, const std::vector<bool>& cut, const AreaOutside& outside)
@@ -23,13 +40,14 @@ class AreaTaker {
         cut_(cut),
         outside_(outside),
         own_(static_cast<int32_t>(record.vertices.size())),
-        window_(Window()),
+        window_(WindowAround({outside.box[kWest], outside.box[kSouth]}, {outside.box[kEast], outside.box[kNorth]},
+                             record, outside)),
         box_{Rounded({outside.box[kWest], outside.box[kSouth]}), Rounded({outside.box[kEast], outside.box[kNorth]})} {
     for (const BoundaryVertex& v : tile_.vertices) is_inside_.push_back(!outside_.Contains(FlatPoint(v.position)));
   }
 
   TileInArea Run() {
-    CopyVertices();
+    result_.record = WithOutside(tile_, outside_);
     FollowArea();
     KeepEdges();
     SurveyRecord& record = result_.record;
@@ -43,30 +61,6 @@ class AreaTaker {
   }
 
  private:
-  void CopyVertices() {
-    SurveyRecord& record = result_.record;
-    record.vertex_count = tile_.vertex_count;
-    record.triangle_count = tile_.triangle_count;
-    record.float32 = tile_.float32;
-    record.lo = tile_.lo, record.hi = tile_.hi;
-    record.vertices = tile_.vertices;
-    for (const Point2& p : outside_.points) {
-      BoundaryVertex vertex;
-      vertex.index = -1;
-      vertex.position = {p.x(), p.y(), 0};
-      record.vertices.push_back(vertex);
-    }
-  }
-
-  LatticeWindow Window() const {
-    Point2 lo(outside_.box[kWest], outside_.box[kSouth]), hi(outside_.box[kEast], outside_.box[kNorth]);
-    for (const BoundaryVertex& v : tile_.vertices) {
-      lo = lo.cwiseMin(FlatPoint(v.position));
-      hi = hi.cwiseMax(FlatPoint(v.position));
-    }
-    return {lo, hi};
-  }
-
   Point2 Rounded(const Point2& p) const { return window_.ToMetres(window_.Round(p)); }
 
   // Where the area's edge runs through holes: where it bounds what tile and outside cover together.
@@ -80,35 +74,17 @@ class AreaTaker {
       edges.push_back({tile_.edges[e].from, tile_.edges[e].to});
     }
     for (const DirectedEdge& e : outside_.edges) edges.push_back({e.from + own_, e.to + own_});
-    const WoundRegion region =
-        UniteWoundRegions(points, edges, cut_edges_.size(), {window_.Round(box_[0]), window_.Round(box_[1])});
-    for (const DirectedEdge& s : region.segments) AddChain(region, s);
+    const LatticeBox box{window_.Round(box_[0]), window_.Round(box_[1])};
+    const PlacedRegion placed{window_, points, own_, cut_edges_.size(),
+                              UniteWoundRegions(points, edges, cut_edges_.size(), box)};
+    for (const DirectedEdge& s : placed.region.segments) AddChain(placed, s);
   }
 
-  void AddChain(const WoundRegion& region, const DirectedEdge& s) {
-    if (!IsOnOutside(region, s.from) || !IsOnOutside(region, s.to)) return;
-    if (IsOnBox(PlaceOf(region, s.from), PlaceOf(region, s.to))) return;
+  void AddChain(const PlacedRegion& region, const DirectedEdge& s) {
+    if (!region.IsOnOutside(s.from) || !region.IsOnOutside(s.to)) return;
+    if (IsOnBox(region.PlaceOf(s.from), region.PlaceOf(s.to))) return;
     const int32_t a = EndOf(region, s.from), b = EndOf(region, s.to);
     if (a >= 0 && b >= 0 && a != b && chains_.erase({b, a}) == 0) chains_.insert({a, b});
-  }
-
-  int32_t KnownVertices() const { return static_cast<int32_t>(result_.record.vertices.size()); }
-
-  // The segments that pass a corner of the region; those of the tile come first.
-  std::span<const int32_t> ThroughOf(const WoundRegion& region, int32_t v) const {
-    if (v < KnownVertices()) return {};
-    return region.corners[v - KnownVertices()].through;
-  }
-
-  bool IsOnOutside(const WoundRegion& region, int32_t v) const {
-    if (v < KnownVertices()) return v >= own_;
-    const std::span<const int32_t> through = ThroughOf(region, v);
-    return std::any_of(through.begin(), through.end(), [&](int32_t s) { return s >= std::ssize(cut_edges_); });
-  }
-
-  Point2 PlaceOf(const WoundRegion& region, int32_t v) const {
-    if (v < KnownVertices()) return Rounded(FlatPoint(result_.record.vertices[v].position));
-    return window_.ToMetres(region.corners[v - KnownVertices()].place);
   }
 
   bool IsOnBox(const Point2& a, const Point2& b) const {
@@ -119,13 +95,13 @@ class AreaTaker {
   }
 
   // Of the tile's edges that cross the area's edge at a corner, the nearest end outside the area. -1: none crosses.
-  int32_t EndOf(const WoundRegion& region, int32_t v) {
-    if (v < KnownVertices()) return v;
-    const Point2 place = PlaceOf(region, v);
+  int32_t EndOf(const PlacedRegion& region, int32_t v) {
+    if (!region.IsCorner(v)) return v;
+    const Point2 place = region.PlaceOf(v);
     int32_t nearest = -1;
     double least = std::numeric_limits<double>::infinity();
-    for (const int32_t s : ThroughOf(region, v)) {
-      if (s >= std::ssize(cut_edges_)) continue;
+    for (const int32_t s : region.CornerOf(v).through) {
+      if (!region.IsOfTile(s)) continue;
       const BoundaryEdge& e = tile_.edges[cut_edges_[s]];
       crossed_.insert(cut_edges_[s]);
       for (const int32_t end : {e.from, e.to}) {

@@ -30,10 +30,75 @@ struct Passing {
   bool leaving;  // the rim goes out of the polygon
 };
 
+Point2 RightOf(const Point2& a, const Point2& b) {
+  const Point2 d = (b - a).normalized();
+  return {d.y(), -d.x()};
+}
+
+const Point2& After(const Ring& ring, size_t i) { return ring[(i + 1) % ring.size()]; }
+
+// Whether an oriented ring has the outside within.
+bool TakesAway(const Ring& ring) {
+  double doubled = 0;
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const Point2 a = ring[i] - ring[0], b = After(ring, i) - ring[0];
+    doubled += a.x() * b.y() - a.y() * b.x();
+  }
+  return doubled > 0;
+}
+
+// The square on the right of an edge, where the hole lies.
+CellId CellBeside(const Grid& grid, const Point2& a, const Point2& b) {
+  const Point2 p = (a + b) / 2 + kOnLine * RightOf(a, b);
+  const Point2 at = (p - grid.corner).cwiseQuotient(grid.cell_size);
+  return {static_cast<int32_t>(std::floor(at.x())), static_cast<int32_t>(std::floor(at.y()))};
+}
+
+// The polygon of the area.
+class AreaPolygon {
+ public:
+  explicit AreaPolygon(const PlanePolygon& area) : area_(area), rings_(OrientedRings(area)) {}
+
+  const std::vector<Ring>& rings() const { return rings_; }
+
+  bool IsInside(const Point2& p) const { return Contains(area_, p) && NearestPlace(p).second > kOnLine; }
+
+  // Halving finds the place also where a vertex of the surface lies on the polygon.
+  RingPlace PassingPlace(Point2 inner, Point2 outer) const {
+    while ((outer - inner).norm() > kHair) {
+      const Point2 middle = (inner + outer) / 2;
+      (IsInside(middle) ? inner : outer) = middle;
+    }
+    return NearestPlace(inner).first;
+  }
+
+ private:
+  // The nearest place on the polygon, and how far p is from it.
+  std::pair<RingPlace, double> NearestPlace(const Point2& p) const {
+    RingPlace best;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (size_t r = 0; r < rings_.size(); ++r) {
+      for (size_t i = 0; i < rings_[r].size(); ++i) {
+        const Point2 &a = rings_[r][i], &b = After(rings_[r], i);
+        const Point2 d = b - a;
+        const double t = std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
+        const double distance = (p - a - t * d).norm();
+        if (distance >= nearest) continue;
+        nearest = distance;
+        best = {r, static_cast<double>(i) + t};
+      }
+    }
+    return {best, nearest};
+  }
+
+  const PlanePolygon& area_;
+  const std::vector<Ring> rings_;
+};
+
 class AreaCutter {
  public:
   AreaCutter(const SeamSite& site, const PlanInput& input)
-      : site_(site), input_(input), spacer_(site), rings_(OrientedRings(input.area)) {
+      : site_(site), input_(input), spacer_(site), polygon_(input.area), rings_(polygon_.rings()) {
     result_.rim = site.rim;
   }
 
@@ -54,69 +119,23 @@ class AreaCutter {
  private:
   Point2 PositionOf(int32_t v) const { return result_.rim.points[v].position.head<2>(); }
 
-  static Point2 RightOf(const Point2& a, const Point2& b) {
-    const Point2 d = (b - a).normalized();
-    return {d.y(), -d.x()};
-  }
-
-  static const Point2& After(const Ring& ring, size_t i) { return ring[(i + 1) % ring.size()]; }
-
-  // Whether an oriented ring has the outside within.
-  static bool TakesAway(const Ring& ring) {
-    double doubled = 0;
-    for (size_t i = 0; i < ring.size(); ++i) {
-      const Point2 a = ring[i] - ring[0], b = After(ring, i) - ring[0];
-      doubled += a.x() * b.y() - a.y() * b.x();
-    }
-    return doubled > 0;
-  }
-
-  // The nearest place on the polygon, and how far p is from it.
-  std::pair<RingPlace, double> NearestPlace(const Point2& p) const {
-    RingPlace best;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (size_t r = 0; r < rings_.size(); ++r) {
-      for (size_t i = 0; i < rings_[r].size(); ++i) {
-        const Point2 &a = rings_[r][i], &b = After(rings_[r], i);
-        const Point2 d = b - a;
-        const double t = std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
-        const double distance = (p - a - t * d).norm();
-        if (distance >= nearest) continue;
-        nearest = distance;
-        best = {r, static_cast<double>(i) + t};
-      }
-    }
-    return {best, nearest};
-  }
-
-  bool IsInside(const Point2& p) const { return Contains(input_.area, p) && NearestPlace(p).second > kOnLine; }
-
   // Which edges stay, and those that pass the polygon by ring.
   void SortEdges() {
     std::vector<bool> inside;
-    for (const RimPoint& p : site_.rim.points) inside.push_back(IsInside(p.position.head<2>()));
+    for (const RimPoint& p : site_.rim.points) inside.push_back(polygon_.IsInside(p.position.head<2>()));
     passings_.resize(rings_.size());
     for (size_t e = 0; e < site_.rim.edges.size(); ++e) {
       const RimEdge& edge = site_.rim.edges[e];
       keeps_.push_back(inside[edge.from] || inside[edge.to]);
       if (inside[edge.from] == inside[edge.to]) continue;
-      const RingPlace place = PassingPlace(PositionOf(inside[edge.from] ? edge.from : edge.to),
-                                           PositionOf(inside[edge.from] ? edge.to : edge.from));
+      const RingPlace place = polygon_.PassingPlace(PositionOf(inside[edge.from] ? edge.from : edge.to),
+                                                    PositionOf(inside[edge.from] ? edge.to : edge.from));
       passings_[place.ring].push_back({place.at, static_cast<int32_t>(e), inside[edge.from]});
     }
     for (auto& of_ring : passings_) {
       std::sort(of_ring.begin(), of_ring.end(),
                 [](const Passing& a, const Passing& b) { return std::tie(a.at, a.edge) < std::tie(b.at, b.edge); });
     }
-  }
-
-  // Halving finds the place also where a vertex of the surface lies on the polygon.
-  RingPlace PassingPlace(Point2 inner, Point2 outer) const {
-    while ((outer - inner).norm() > kHair) {
-      const Point2 middle = (inner + outer) / 2;
-      (IsInside(middle) ? inner : outer) = middle;
-    }
-    return NearestPlace(inner).first;
   }
 
   void FollowRing(size_t r) {
@@ -171,7 +190,7 @@ class AreaCutter {
     if (TakesAway(rings_[r])) {
       const Point2& p = rings_[r][0];
       result_.left.push_back(
-          {CellBeside(p, After(rings_[r], 0)),
+          {CellBeside(input_.grid, p, After(rings_[r], 0)),
            absl::StrFormat("at (%.3f, %.3f) the area leaves out a part inside a hole: it is filled", p.x(), p.y())});
       return;
     }
@@ -193,16 +212,9 @@ class AreaCutter {
         keeps_[e] = site_.rim.edges[e].from == p;
         continue;
       }
-      chains_.push_back({p, q, CellBeside(PositionOf(p), PositionOf(q)), true});
+      chains_.push_back({p, q, CellBeside(input_.grid, PositionOf(p), PositionOf(q)), true});
     }
     return true;
-  }
-
-  // The square on the right of an edge, where the hole lies.
-  CellId CellBeside(const Point2& a, const Point2& b) const {
-    const Point2 p = (a + b) / 2 + kOnLine * RightOf(a, b);
-    const Point2 at = (p - input_.grid.corner).cwiseQuotient(input_.grid.cell_size);
-    return {static_cast<int32_t>(std::floor(at.x())), static_cast<int32_t>(std::floor(at.y()))};
   }
 
   // New vertices along a ring between two places on it.
@@ -230,7 +242,8 @@ class AreaCutter {
   const SeamSite& site_;
   const PlanInput& input_;
   const RingSpacer spacer_;
-  const std::vector<Ring> rings_;
+  const AreaPolygon polygon_;
+  const std::vector<Ring>& rings_;              // of the polygon
   std::vector<bool> keeps_;                     // by rim edge
   std::vector<std::vector<Passing>> passings_;  // by ring
   std::vector<RimEdge> chains_;

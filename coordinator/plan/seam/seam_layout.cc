@@ -35,6 +35,22 @@ struct Stretch {
   int32_t from, to;
 };
 
+bool IsInner(const SeamSite& site, const Border& border) {
+  return site.area.contains(border.first) && site.area.contains(border.second);
+}
+
+bool TakesProjections(const SeamSite& site, const Border& border) {
+  return site.options.seam_points == SeamPoints::kProjected && IsInner(site, border);
+}
+
+// How far a seam may leave its line without need, metres. At the rim of the area what it cedes stays unfilled.
+double LargestBend(const SeamSite& site, const Border& border) {
+  if (!IsInner(site, border)) return kSamePlace;
+  // Edges between projections may be as long as the stretch: they do not reach for rim points far off.
+  return TakesProjections(site, border) ? kProjectedBend * site.index.mean_size()
+                                        : std::numeric_limits<double>::infinity();
+}
+
 class SeamLayer {
  public:
   SeamLayer(const SeamSite& site, SeamsOverRim over_rim)
@@ -73,20 +89,12 @@ class SeamLayer {
     for (size_t i = 0; i + 1 < ends.size(); i += 2) {
       const Stretch stretch{border, ends[i].vertex, ends[i + 1].vertex};
       if (stretch.from == stretch.to) continue;
-      if (TakesProjections(border)) {
+      if (TakesProjections(site_, border)) {
         projected_.push_back(stretch);
       } else {
-        LaySpaced(stretch);
+        LayCompleted(stretch, {});
       }
     }
-  }
-
-  bool TakesProjections(const Border& border) const {
-    return site_.options.seam_points == SeamPoints::kProjected && IsInner(border);
-  }
-
-  bool IsInner(const Border& border) const {
-    return site_.area.contains(border.first) && site_.area.contains(border.second);
   }
 
   // First the stretches that have rim points opposite them, then those opposite these, and so on inward (Wang 2021,
@@ -116,7 +124,7 @@ class SeamLayer {
       if (found.empty() && !from_rim) break;
       from_rim = false;
     }
-    for (const Stretch& s : projected_) LaySpaced(s);
+    for (const Stretch& s : projected_) LayCompleted(s, {});
   }
 
   // The vertices of the seams across the two cells of a border.
@@ -132,8 +140,6 @@ class SeamLayer {
     return places;
   }
 
-  void LaySpaced(const Stretch& stretch) { LayCompleted(stretch, {}); }
-
   // With spaced places between given ones, where these are further apart than the triangles there will be large. Tiles
   // that overlap so have one surface in the strip that both fill, up to the last vertex before the rim (SeamSizeAt).
   void LayCompleted(const Stretch& stretch, const std::vector<SeamPlace>& given) {
@@ -142,17 +148,16 @@ class SeamLayer {
       const Point2 from = i == 0 ? PositionOf(stretch.from) : given[i - 1].position;
       const Point2 to = i == given.size() ? PositionOf(stretch.to) : given[i].position;
       const auto spaced = PlaceSeamVertices(site_, stretch.border, from, to, EdgesLeft() - std::ssize(places));
-      if (!spaced) return FailForFineness(stretch.border);
+      if (!spaced) {
+        return Fail(stretch.border,
+                    absl::StrFormat("the mesh is too fine for cells of this size: more than %d edges on one grid line, "
+                                    "or %d in the scene",
+                                    kMostSeamEdges, most_vertices_));
+      }
       places.insert(places.end(), spaced->begin(), spaced->end());
       if (i < given.size()) places.push_back(given[i]);
     }
     Lay(stretch, places);
-  }
-
-  void FailForFineness(const Border& border) {
-    Fail(border, absl::StrFormat("the mesh is too fine for cells of this size: more than %d edges on one grid line, "
-                                 "or %d in the scene",
-                                 kMostSeamEdges, most_vertices_));
   }
 
   void Lay(const Stretch& stretch, const std::vector<SeamPlace>& places) {
@@ -172,7 +177,7 @@ class SeamLayer {
       return;
     }
     if (over_rim_ == SeamsOverRim::kYes && !site_.lines.joined) {
-      path = BendToRim(*path, site_.rim, site_.index, position, LargestBend(border));
+      path = BendToRim(*path, site_.rim, site_.index, position, LargestBend(site_, border));
     }
     result_.seams.push_back({border.first, border.second, *std::move(path)});
   }
@@ -210,14 +215,6 @@ class SeamLayer {
   Point2 PositionOf(int32_t vertex) const {
     if (vertex >= rim_points_) return result_.vertices[static_cast<size_t>(vertex - rim_points_)].position;
     return site_.rim.points[vertex].position.head<2>();
-  }
-
-  // How far a seam may leave its line without need, metres. At the rim of the area what it cedes stays unfilled.
-  double LargestBend(const Border& border) const {
-    if (!IsInner(border)) return kSamePlace;
-    // Edges between projections may be as long as the stretch: they do not reach for rim points far off.
-    return TakesProjections(border) ? kProjectedBend * site_.index.mean_size()
-                                    : std::numeric_limits<double>::infinity();
   }
 
   const SeamSite& site_;
