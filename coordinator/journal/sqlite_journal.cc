@@ -37,15 +37,162 @@ struct JournalStatements {
   SQLite::Statement delete_job{database, "DELETE FROM job WHERE number = ?"};
   SQLite::Statement put_result{database, "INSERT INTO result VALUES(?,?,?,?,?,?,?,?,?)"};
   SQLite::Statement put_content{database, "INSERT INTO content VALUES(?,?)"};
-  SQLite::Statement get_results{
-      database,
-      "SELECT number, job, name, state, output, inside, error, lost_workers, sum, bytes "
-      "FROM result LEFT JOIN content ON content.result = number WHERE number BETWEEN ? AND ? ORDER BY number"};
-  SQLite::Statement next_results{database, "SELECT number, job FROM result WHERE number > ? ORDER BY number LIMIT ?"};
-  SQLite::Statement delete_result{database, "DELETE FROM result WHERE number = ?"};
-  SQLite::Statement delete_content{database, "DELETE FROM content WHERE result = ?"};
   SQLite::Statement put_aside{database, "INSERT OR REPLACE INTO aside VALUES(?,?,?)"};
   SQLite::Statement delete_aside{database, "DELETE FROM aside WHERE worker = ?"};
+};
+
+absl::Status Damaged(const SQLite::Database& database, const std::string& what) {
+  return absl::DataLossError(absl::StrCat(database.getFilename(), ": ", what, " is damaged"));
+}
+
+// Here and below, what reads and writes throws SQLite::Exception.
+std::vector<JobRecord> ReadJobs(const SQLite::Database& database) {
+  std::vector<JobRecord> jobs;
+  SQLite::Statement read(database, "SELECT number, request_id, body, over, released, sum FROM job ORDER BY number");
+  while (read.executeStep()) {
+    JobRecord job{IntOf(read, 0), std::string(BytesOf(read, 1)), std::string(BytesOf(read, 2)), IntOf(read, 3) != 0,
+                  IntOf(read, 4) != 0};
+    job.damaged = SumOfJob(job) != BytesOf(read, 5);
+    jobs.push_back(std::move(job));
+  }
+  return jobs;
+}
+
+std::vector<SetAsideRecord> ReadSetAside(const SQLite::Database& database) {
+  std::vector<SetAsideRecord> set_aside;
+  SQLite::Statement read(database, "SELECT worker, reason, sum FROM aside");
+  while (read.executeStep()) {
+    SetAsideRecord aside{std::string(BytesOf(read, 0)), std::string(BytesOf(read, 1))};
+    // One that is damaged is not worth more than that the worker is tried again.
+    if (SumOfAside(aside) == BytesOf(read, 2)) set_aside.push_back(std::move(aside));
+  }
+  return set_aside;
+}
+
+absl::StatusOr<uint32_t> NextEpoch(SQLite::Database& database) {
+  database.exec("UPDATE epoch SET value = value + 1");
+  SQLite::Statement read(database, "SELECT value FROM epoch");
+  const int64_t epoch = read.executeStep() ? IntOf(read, 0) : 0;
+  if (epoch < 1 || epoch > UINT32_MAX) return Damaged(database, "its epoch");
+  return static_cast<uint32_t>(epoch);
+}
+
+// A result as it was put, and its content if that is inside.
+struct StoredResult {
+  ResultRow row;
+  std::string sum;
+  std::string content;
+};
+
+// Results as they are read, many at a time.
+class ResultPages {
+ public:
+  explicit ResultPages(const SQLite::Database& database) : database_(database) {}
+
+  absl::StatusOr<const StoredResult*> Read(int64_t number) {
+    const int64_t page = number / kPageRows;
+    if (!pages_.contains(page)) ReadPage(page);
+    const std::vector<StoredResult>& results = pages_.at(page);
+    const auto result = std::partition_point(results.begin(), results.end(),
+                                             [&](const StoredResult& r) { return r.row.number < number; });
+    const bool is_there = result != results.end() && result->row.number == number;
+    if (is_there && result->row.Sum() == result->sum) return &*result;
+    return Damaged(database_, absl::StrCat("result ", number));
+  }
+
+  void Forget() {
+    pages_.clear();
+    pages_read_.clear();
+  }
+
+ private:
+  void ReadPage(int64_t page) {
+    std::vector<StoredResult> results;
+    SQLite::Statement& read = With(get_results_, page * kPageRows, (page + 1) * kPageRows - 1);
+    while (read.executeStep()) {
+      results.push_back({{IntOf(read, 0), IntOf(read, 1), std::string(BytesOf(read, 2)), IntOf(read, 3),
+                          std::string(BytesOf(read, 4)), IntOf(read, 5), std::string(BytesOf(read, 6)),
+                          std::string(BytesOf(read, 7))},
+                         std::string(BytesOf(read, 8)),
+                         std::string(BytesOf(read, 9))});
+    }
+    if (pages_.size() >= kMostPagesRead) {
+      pages_.erase(pages_read_.front());
+      pages_read_.pop_front();
+    }
+    pages_read_.push_back(page);
+    pages_[page] = std::move(results);
+  }
+
+  const SQLite::Database& database_;
+  SQLite::Statement get_results_{
+      database_,
+      "SELECT number, job, name, state, output, inside, error, lost_workers, sum, bytes "
+      "FROM result LEFT JOIN content ON content.result = number WHERE number BETWEEN ? AND ? ORDER BY number"};
+  absl::flat_hash_map<int64_t, std::vector<StoredResult>> pages_;  // by number / kPageRows
+  std::deque<int64_t> pages_read_;                                 // the oldest first
+};
+
+// Takes what nobody needs out of the file: results of jobs that are over, and then their room.
+class Tidying {
+ public:
+  explicit Tidying(SQLite::Database& database) : database_(database) {}
+
+  const std::set<int64_t>& running() const { return running_; }  // jobs that are not over
+  void Put(const JobRecord& job) {
+    if (!job.over) {
+      running_.insert(job.number);
+      return;
+    }
+    running_.erase(job.number);
+    has_old_results_ = true;
+    tidy_from_ = 0;
+  }
+  void Wrote() { is_log_empty_ = false; }
+
+  // A little of it; false if there is nothing left to do.
+  bool DoALittle() {
+    if (!has_old_results_ && is_log_empty_) return false;
+    has_old_results_ ? DeleteOldResults() : Shrink();
+    return true;
+  }
+
+ private:
+  void DeleteOldResults() {
+    std::vector<int64_t> old;
+    int64_t looked_at = 0;
+    SQLite::Statement& next = With(next_results_, tidy_from_, kMostExamined);
+    for (; next.executeStep(); ++looked_at) {
+      tidy_from_ = IntOf(next, 0);
+      if (!running_.contains(IntOf(next, 1))) old.push_back(tidy_from_);
+    }
+    has_old_results_ = looked_at == kMostExamined;
+    if (old.empty()) return;
+    SQLite::Transaction transaction(database_, SQLite::TransactionBehavior::IMMEDIATE);
+    for (const int64_t number : old) {
+      With(delete_result_, number).exec();
+      With(delete_content_, number).exec();
+    }
+    FailPoint("journal.tidy");
+    transaction.commit();
+    is_log_empty_ = false;
+  }
+
+  void Shrink() {
+    database_.exec(absl::StrCat("PRAGMA incremental_vacuum(", kMostPages, ")"));
+    database_.exec("PRAGMA wal_checkpoint(TRUNCATE)");
+    FailPoint("journal.checkpointed");
+    is_log_empty_ = database_.execAndGet("PRAGMA freelist_count").getInt64() == 0;
+  }
+
+  SQLite::Database& database_;
+  SQLite::Statement next_results_{database_, "SELECT number, job FROM result WHERE number > ? ORDER BY number LIMIT ?"};
+  SQLite::Statement delete_result_{database_, "DELETE FROM result WHERE number = ?"};
+  SQLite::Statement delete_content_{database_, "DELETE FROM content WHERE result = ?"};
+  std::set<int64_t> running_;
+  bool is_log_empty_ = true;
+  bool has_old_results_ = true;  // perhaps
+  int64_t tidy_from_ = 0;        // row
 };
 
 class SqliteJournal : public CommittedJournal {
@@ -61,53 +208,35 @@ class SqliteJournal : public CommittedJournal {
  private:
   GroupCommit& Writer() override { return *writer_; }
 
-  // Those that read and write throw SQLite::Exception, down to Shrink.
-  absl::Status NextEpoch();
-  void ReadJobs();
-  void ReadSetAside();
-  // A result as it was put, and its content if that is inside.
-  struct StoredResult {
-    ResultRow row;
-    std::string sum;
-    std::string content;
-  };
-  absl::StatusOr<const StoredResult*> Read(int64_t number);  // with database_mutex_ held
-  void ReadPage(int64_t page);
-  absl::Status Damaged(const std::string& what) const {
-    return absl::DataLossError(absl::StrCat(database_.getFilename(), ": ", what, " is damaged"));
-  }
-
-  void Commit(const std::vector<JournalPut>& puts);  // here and below with database_mutex_ held
+  void Commit(const std::vector<JournalPut>& puts);  // here and below with database_mutex_ held; SQLite::Exception
   void Insert(const JobRecord& job);
   void Insert(const NewResult& put);
   void Insert(const OldJob& job);
   void Insert(const SetAsideRecord& aside);
   void Insert(const FalseResults& results);
-  bool TidyUp();  // a little of it; false if there is nothing left to do
-  void DeleteOldResults();
-  void Shrink();
 
   std::mutex database_mutex_;
   SQLite::Database database_;
   std::optional<JournalStatements> statements_;
-  absl::flat_hash_map<int64_t, std::vector<StoredResult>> pages_;  // read, by number / kPageRows
-  std::deque<int64_t> pages_read_;                                 // the oldest first
-  SqliteResultIndex index_;                                        // of the jobs that are not over
-  std::set<int64_t> running_;                                      // those jobs
-  int64_t last_number_ = 0;                                        // of a row of `result`
-  bool is_log_empty_ = true;
-  bool has_old_results_ = true;          // perhaps
-  int64_t tidy_from_ = 0;                // row
+  std::optional<ResultPages> pages_;
+  std::optional<Tidying> tidying_;
+  SqliteResultIndex index_;              // of the jobs that are not over
+  int64_t last_number_ = 0;              // of a row of `result`
   std::unique_ptr<GroupCommit> writer_;  // last: it uses the others
 };
 
 absl::Status SqliteJournal::Start() {
-  TILEMEND_RETURN_IF_ERROR(CatchSqlite(database_, [&] {
+  TILEMEND_RETURN_IF_ERROR(CatchSqlite(database_, [&]() -> absl::Status {
     statements_.emplace(database_);
-    ReadJobs();
-    last_number_ = index_.ReadAll(database_, running_);
-    ReadSetAside();
-    return NextEpoch();
+    pages_.emplace(database_);
+    tidying_.emplace(database_);
+    jobs_ = ReadJobs(database_);
+    for (const JobRecord& job : jobs_) tidying_->Put(job);
+    last_number_ = index_.ReadAll(database_, tidying_->running());
+    set_aside_ = ReadSetAside(database_);
+    TILEMEND_ASSIGN_OR_RETURN(epoch_, NextEpoch(database_));
+    tidying_->Wrote();
+    return absl::OkStatus();
   }));
   writer_ = std::make_unique<GroupCommit>(
       [this](const std::vector<JournalPut>& puts) {
@@ -120,80 +249,24 @@ absl::Status SqliteJournal::Start() {
       },
       [this] {
         std::lock_guard<std::mutex> lock(database_mutex_);
-        return RequireOfJournal(CatchSqlite(database_, [&]() -> absl::StatusOr<bool> { return TidyUp(); }));
+        return RequireOfJournal(
+            CatchSqlite(database_, [&]() -> absl::StatusOr<bool> { return tidying_->DoALittle(); }));
       });
   return absl::OkStatus();
-}
-
-absl::Status SqliteJournal::NextEpoch() {
-  database_.exec("UPDATE epoch SET value = value + 1");
-  SQLite::Statement read(database_, "SELECT value FROM epoch");
-  const int64_t epoch = read.executeStep() ? IntOf(read, 0) : 0;
-  if (epoch < 1 || epoch > UINT32_MAX) return Damaged("its epoch");
-  epoch_ = static_cast<uint32_t>(epoch);
-  is_log_empty_ = false;
-  return absl::OkStatus();
-}
-
-void SqliteJournal::ReadJobs() {
-  SQLite::Statement read(database_, "SELECT number, request_id, body, over, released, sum FROM job ORDER BY number");
-  while (read.executeStep()) {
-    JobRecord job{IntOf(read, 0), std::string(BytesOf(read, 1)), std::string(BytesOf(read, 2)), IntOf(read, 3) != 0,
-                  IntOf(read, 4) != 0};
-    job.damaged = SumOfJob(job) != BytesOf(read, 5);
-    if (!job.over) running_.insert(job.number);
-    jobs_.push_back(std::move(job));
-  }
-}
-
-void SqliteJournal::ReadSetAside() {
-  SQLite::Statement read(database_, "SELECT worker, reason, sum FROM aside");
-  while (read.executeStep()) {
-    SetAsideRecord aside{std::string(BytesOf(read, 0)), std::string(BytesOf(read, 1))};
-    // One that is damaged is not worth more than that the worker is tried again.
-    if (SumOfAside(aside) == BytesOf(read, 2)) set_aside_.push_back(std::move(aside));
-  }
-}
-
-absl::StatusOr<const SqliteJournal::StoredResult*> SqliteJournal::Read(int64_t number) {
-  const int64_t page = number / kPageRows;
-  if (!pages_.contains(page)) ReadPage(page);
-  const std::vector<StoredResult>& results = pages_.at(page);
-  const auto result = std::partition_point(results.begin(), results.end(),
-                                           [&](const StoredResult& r) { return r.row.number < number; });
-  const bool is_there = result != results.end() && result->row.number == number;
-  if (is_there && result->row.Sum() == result->sum) return &*result;
-  return Damaged(absl::StrCat("result ", number));
-}
-
-void SqliteJournal::ReadPage(int64_t page) {
-  std::vector<StoredResult> results;
-  SQLite::Statement& read = With(statements_->get_results, page * kPageRows, (page + 1) * kPageRows - 1);
-  while (read.executeStep()) {
-    results.push_back(
-        {{IntOf(read, 0), IntOf(read, 1), std::string(BytesOf(read, 2)), IntOf(read, 3), std::string(BytesOf(read, 4)),
-          IntOf(read, 5), std::string(BytesOf(read, 6)), std::string(BytesOf(read, 7))},
-         std::string(BytesOf(read, 8)),
-         std::string(BytesOf(read, 9))});
-  }
-  if (pages_.size() >= kMostPagesRead) {
-    pages_.erase(pages_read_.front());
-    pages_read_.pop_front();
-  }
-  pages_read_.push_back(page);
-  pages_[page] = std::move(results);
 }
 
 absl::StatusOr<std::optional<ResultRecord>> SqliteJournal::Find(int64_t job, const TaskName& task) {
   const std::optional<int64_t> number = index_.Find(job, task);  // which waits for no disk
   if (!number) return std::nullopt;
   std::lock_guard<std::mutex> lock(database_mutex_);
-  TILEMEND_ASSIGN_OR_RETURN(const StoredResult* const stored, CatchSqlite(database_, [&] { return Read(*number); }));
+  TILEMEND_ASSIGN_OR_RETURN(const StoredResult* const stored,
+                            CatchSqlite(database_, [&] { return pages_->Read(*number); }));
   const ResultRow& row = stored->row;
   ResultRecord result{static_cast<TaskState>(row.state), row.output, std::nullopt, row.error, {}};
   SetWorkers(row.lost_workers, result);
   if (row.inside == 0) return result;
-  if (Sha256Hex(stored->content) != row.output) return Damaged(absl::StrCat("the output of result ", row.number));
+  if (Sha256Hex(stored->content) != row.output)
+    return Damaged(database_, absl::StrCat("the output of result ", row.number));
   result.content = stored->content;
   return result;
 }
@@ -202,7 +275,8 @@ absl::StatusOr<std::vector<std::string>> SqliteJournal::Outputs(int64_t job) {
   std::vector<std::string> outputs;
   std::lock_guard<std::mutex> lock(database_mutex_);
   for (const int64_t number : index_.BlobsOf(job)) {
-    TILEMEND_ASSIGN_OR_RETURN(const StoredResult* const stored, CatchSqlite(database_, [&] { return Read(number); }));
+    TILEMEND_ASSIGN_OR_RETURN(const StoredResult* const stored,
+                              CatchSqlite(database_, [&] { return pages_->Read(number); }));
     outputs.push_back(stored->row.output);
   }
   return outputs;
@@ -211,8 +285,7 @@ absl::StatusOr<std::vector<std::string>> SqliteJournal::Outputs(int64_t job) {
 absl::Status SqliteJournal::ReadAgain(int64_t job) {
   Await();
   std::lock_guard<std::mutex> lock(database_mutex_);
-  pages_.clear();  // the last one may have had room
-  pages_read_.clear();
+  pages_->Forget();  // the last one may have had room
   return CatchSqlite(database_, [&] {
     index_.ReadJob(database_, job);
     return absl::OkStatus();
@@ -225,18 +298,12 @@ void SqliteJournal::Commit(const std::vector<JournalPut>& puts) {
   for (const JournalPut& put : puts) std::visit([this](const auto& p) { Insert(p); }, put);
   if (FailPoint("journal.commit")) throw SQLite::Exception("a sync failed (injected)");
   With(statements_->commit).exec();
-  is_log_empty_ = false;
+  tidying_->Wrote();
 }
 
 void SqliteJournal::Insert(const JobRecord& job) {
-  if (job.over) {
-    running_.erase(job.number);
-    index_.Forget(job.number);
-    has_old_results_ = true;
-    tidy_from_ = 0;
-  } else {
-    running_.insert(job.number);
-  }
+  tidying_->Put(job);
+  if (job.over) index_.Forget(job.number);
   const std::string sum = SumOfJob(job);
   With(statements_->put_job, job.number, job.request_id, job.body, int64_t{job.over}, int64_t{job.released}, sum)
       .exec();
@@ -273,39 +340,6 @@ void SqliteJournal::Insert(const SetAsideRecord& aside) {
   }
   const std::string sum = SumOfAside(aside);
   With(statements_->put_aside, aside.worker, aside.reason, sum).exec();
-}
-
-bool SqliteJournal::TidyUp() {
-  if (!has_old_results_ && is_log_empty_) return false;
-  has_old_results_ ? DeleteOldResults() : Shrink();
-  return true;
-}
-
-void SqliteJournal::DeleteOldResults() {
-  std::vector<int64_t> old;
-  int64_t looked_at = 0;
-  SQLite::Statement& next = With(statements_->next_results, tidy_from_, kMostExamined);
-  for (; next.executeStep(); ++looked_at) {
-    tidy_from_ = IntOf(next, 0);
-    if (!running_.contains(IntOf(next, 1))) old.push_back(tidy_from_);
-  }
-  has_old_results_ = looked_at == kMostExamined;
-  if (old.empty()) return;
-  SQLite::Transaction transaction(database_, SQLite::TransactionBehavior::IMMEDIATE);
-  for (const int64_t number : old) {
-    With(statements_->delete_result, number).exec();
-    With(statements_->delete_content, number).exec();
-  }
-  FailPoint("journal.tidy");
-  transaction.commit();
-  is_log_empty_ = false;
-}
-
-void SqliteJournal::Shrink() {
-  database_.exec(absl::StrCat("PRAGMA incremental_vacuum(", kMostPages, ")"));
-  database_.exec("PRAGMA wal_checkpoint(TRUNCATE)");
-  FailPoint("journal.checkpointed");
-  is_log_empty_ = database_.execAndGet("PRAGMA freelist_count").getInt64() == 0;
 }
 
 }  // namespace
