@@ -104,7 +104,7 @@ absl::StatusOr<NewTask> AssembleTasks::TaskOf(AssembleWork& work) {
   if (contents_.fills.HasPatches(cell)) TILEMEND_RETURN_IF_ERROR(SetPatches(work, input));
   SetFiles(*work.tile, input);
   if (input.has_patches() && GetsTexture(spec_, *work.tile, contents_.files)) {
-    output_->Adopt(SetTexture(contents_.files, spec_, input));
+    output_->files().Adopt(SetTexture(contents_.files, spec_, input));
     TILEMEND_RETURN_IF_ERROR(AddTilesAround(
         waves_.scene(), cell, [&](const SceneTile& other) { return contents_.tiles.Ref(other); }, input));
   }
@@ -130,12 +130,12 @@ absl::Status AssembleTasks::SetPatches(AssembleWork& work, v1::AssembleInput& in
 void AssembleTasks::SetFiles(const SceneTile& tile, v1::AssembleInput& input) {
   if (HasMaterials(tile)) {
     SetLibrary(OutputPath(tile), contents_.files.LibraryOf(tile.cell), contents_, input);
-    output_->Adopt({input.library()});
+    output_->files().Adopt({input.library()});
   }
   input.set_output_root(spec_.out());
   if (!tile.delivered.empty()) return SetDelivery(waves_.scene().grid, spec_.output_format(), tile.cell, input);
   const std::vector<std::string> carried = contents_.files.CarriedBy(tile.cell);
-  output_->Adopt({carried.begin(), carried.end()});
+  output_->files().Adopt({carried.begin(), carried.end()});
   input.mutable_carried()->Add(carried.begin(), carried.end());
   for (const std::string& path : carried) input.add_carried_digests(contents_.tiles.FileDigestOf(path));
   input.set_link_images(spec_.textures() == "link");
@@ -160,9 +160,9 @@ absl::Status AssembleTasks::Take(CellId cell, const v1::AssembleOutput& output) 
   std::vector<AttemptFile> files;
   for (const v1::WrittenFile& file : output.files()) {
     files.push_back({file.attempt(), file.path(), file.bytes(), file.digest()});
-    if (!waves_.survey().tile(cell).delivered.empty()) output_->Adopt({file.path()});  // its name was checked
+    if (!waves_.survey().tile(cell).delivered.empty()) output_->files().Adopt({file.path()});  // its name was checked
   }
-  return output.unchanged() ? output_->Keep(files) : output_->Place(files);
+  return output.unchanged() ? output_->files().Keep(files) : output_->files().Place(files, output_->attempts());
 }
 
 }  // namespace tilemend

@@ -106,7 +106,7 @@ absl::Status CarryMetadata(const Scene& scene, OutputFolder& output) {
   const auto look = LookAt(from);
   if (IsObjectPath(from) && !look.ok() && !absl::IsNotFound(look.status())) return look.status();
   if (!look.ok() || look->kind != PathKind::kFile) return absl::OkStatus();
-  output.Adopt({kMetadataFile});
+  output.files().Adopt({kMetadataFile});
   return CarryFile(from, absl::StrCat(output.path(), "/", kMetadataFile), Carry::kCopy);
 }
 
@@ -117,7 +117,7 @@ absl::Status WriteMetadata(const Scene& scene, OutputFolder& output) {
   if (!is_osgb || KindOf(absl::StrCat(scene.root, "/", kMetadataFile)) == PathKind::kFile) {
     return CarryMetadata(scene, output);
   }
-  output.Adopt({kMetadataFile});
+  output.files().Adopt({kMetadataFile});
   return WriteFileAtomically(absl::StrCat(output.path(), "/", kMetadataFile), MetadataXml(scene));
 }
 
@@ -125,7 +125,7 @@ absl::Status WriteMetadata(const Scene& scene, OutputFolder& output) {
 absl::Status WriteTileset(const Scene& scene, OutputFolder& output) {
   if (scene.tileset.empty()) return absl::OkStatus();
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, GrownEntry(scene.root, scene.tileset, output.path()));
-  output.Adopt({scene.tileset});
+  output.files().Adopt({scene.tileset});
   return WriteFileAtomically(absl::StrCat(output.path(), "/", scene.tileset), text);
 }
 
@@ -138,7 +138,7 @@ absl::Status WriteDelivery(const Scene& scene, OutputFolder& output) {
     return WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile), SceneJson(delivered));
   }
   TILEMEND_ASSIGN_OR_RETURN(const std::string text, DeliveryEntry(scene, places, output.path()));
-  output.Adopt({kEntryFile});
+  output.files().Adopt({kEntryFile});
   return WriteFileAtomically(absl::StrCat(output.path(), "/", kEntryFile), text);
 }
 

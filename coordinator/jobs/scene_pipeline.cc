@@ -156,7 +156,7 @@ class ScenePipeline : public JobPipeline {
 
   void Prepare(const std::shared_ptr<JobNotes>& notes, std::optional<Resumption> resumed) override {
     verification_.UseNotes(notes);
-    if (output_ && job_.adds) output_->LeaveFiles(notes);
+    if (output_ && job_.adds) output_->files().LeaveFiles(notes);
     if (!resumed) return;
     opening_ = *resumed == Resumption::kRestart ? ResultLog::Opening::kSameJob : ResultLog::Opening::kSameJobAnew;
   }
@@ -320,14 +320,14 @@ class ScenePipeline : public JobPipeline {
   }
 
   absl::Status FinishOutput(const SceneReportInput& report, JobOutcome& outcome) {
-    TILEMEND_RETURN_IF_ERROR(output_->SeeAll([this] { return end_.is_cancelled(); }));
+    TILEMEND_RETURN_IF_ERROR(output_->files().SeeAll([this] { return end_.is_cancelled(); }));
     const Scene& scene = waves_.scene();
     for (const auto& unwritten : report.outcome.unwritten) {
-      TILEMEND_RETURN_IF_ERROR(output_->RemoveUnwritten(OutputPath(waves_.survey().tile(unwritten.cell))));
+      TILEMEND_RETURN_IF_ERROR(output_->files().RemoveUnwritten(OutputPath(waves_.survey().tile(unwritten.cell))));
     }
     TILEMEND_RETURN_IF_ERROR(WriteScene(scene, *output_));
-    output_->Adopt(tasks_.files().Carried());
-    if (const int64_t others = output_->TidyUp(); others > 0) {
+    output_->files().Adopt(tasks_.files().Carried());
+    if (const int64_t others = output_->files().TidyUp(); others > 0) {
       absl::StrAppend(&outcome.message, "; other files and folders there, left as they were: ", others);
     }
     const std::string folder = output_->path() + "/";
@@ -382,7 +382,7 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
     TILEMEND_ASSIGN_OR_RETURN(const bool overwrite, MayReplace(spec, job.key));
     TILEMEND_ASSIGN_OR_RETURN(OutputFolder claimed,
                               OutputFolder::Claim(spec.out(), scene, overwrite || job.adds, JobKey(job.identity)));
-    if (job.adds) claimed.LeaveFiles(std::make_shared<JobNotes>());
+    if (job.adds) claimed.files().LeaveFiles(std::make_shared<JobNotes>());
     output.emplace(std::move(claimed));
   }
   TILEMEND_ASSIGN_OR_RETURN(auto scratch, ScratchFile::Create(scratch_folder));

@@ -51,6 +51,32 @@ bool TakeMemory(size_t bytes) {
   return false;
 }
 
+// Hard links to blobs in another such folder, synced. False if one cannot be made.
+bool LinkBlobs(const std::string& folder, const std::set<std::string>& digests, const std::string& other) {
+  std::set<std::string> parents = {other};
+  for (const std::string& digest : digests) {
+    const auto from = PathOf(folder, digest), to = PathOf(other, digest);
+    if (!from.ok() || !std::filesystem::exists(*from)) continue;  // lost, and so made again
+    const std::string parent = std::filesystem::path(*to).parent_path().string();
+    if (parents.insert(parent).second && ::mkdir(parent.c_str(), 0700) != 0) return false;
+    if (::link(from->c_str(), to->c_str()) != 0) return false;
+  }
+  return std::all_of(parents.begin(), parents.end(), [](const std::string& p) { return SyncFolder(p).ok(); });
+}
+
+absl::Status RemoveOthers(const std::string& folder, const std::set<std::string>& digests) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  std::vector<fs::path> others;
+  for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    if (at->is_directory(error)) continue;
+    const std::string digest = at->path().parent_path().filename().string() + at->path().filename().string();
+    if (!digests.contains(digest)) others.push_back(at->path());
+  }
+  for (const fs::path& other : others) fs::remove(other, error);
+  return error ? ErrnoStatus(error.value(), "cannot look through it", folder) : absl::OkStatus();
+}
+
 }  // namespace
 
 BlobFolder::Writer::~Writer() {
@@ -115,12 +141,6 @@ absl::StatusOr<std::string> BlobFolder::Put(std::string_view bytes, Sync sync, s
   TILEMEND_ASSIGN_OR_RETURN(const std::unique_ptr<Writer> writer, NewWriter(sync));
   TILEMEND_RETURN_IF_ERROR(writer->Write(bytes));
   TILEMEND_RETURN_IF_ERROR(writer->MoveTo(digest));
-  return digest;
-}
-
-absl::StatusOr<std::string> BlobFolder::Hold(std::string bytes) {
-  std::string digest = Sha256Hex(bytes);
-  TILEMEND_RETURN_IF_ERROR(Hold(digest, [&bytes] { return std::move(bytes); }));
   return digest;
 }
 
@@ -241,7 +261,7 @@ absl::Status BlobFolder::ReadChunks(const std::string& digest,
 absl::Status BlobFolder::KeepOnly(const std::set<std::string>& digests) {
   std::string beside = absl::StrCat(path_, ".XXXXXX");
   if (::mkdtemp(beside.data()) == nullptr) return ErrnoStatus(errno, "cannot create", beside);
-  const bool changed = LinkInto(BlobFolder(beside), digests) &&
+  const bool changed = LinkBlobs(path_, digests, beside) &&
                        ::renameat2(AT_FDCWD, beside.c_str(), AT_FDCWD, path_.c_str(), RENAME_EXCHANGE) == 0;
   if (changed) {
     synced_parents_.store(0);  // they were of the folder that is now beside this one
@@ -249,32 +269,7 @@ absl::Status BlobFolder::KeepOnly(const std::set<std::string>& digests) {
   }
   std::error_code error;
   std::filesystem::remove_all(beside, error);
-  return RemoveOthers(digests);
-}
-
-bool BlobFolder::LinkInto(const BlobFolder& other, const std::set<std::string>& digests) const {
-  std::set<std::string> parents = {other.path_};
-  for (const std::string& digest : digests) {
-    const auto from = PathOf(path_, digest), to = PathOf(other.path_, digest);
-    if (!from.ok() || !Size(digest).ok()) continue;  // lost, and so made again
-    const std::string parent = std::filesystem::path(*to).parent_path().string();
-    if (parents.insert(parent).second && ::mkdir(parent.c_str(), 0700) != 0) return false;
-    if (::link(from->c_str(), to->c_str()) != 0) return false;
-  }
-  return std::all_of(parents.begin(), parents.end(), [](const std::string& p) { return SyncFolder(p).ok(); });
-}
-
-absl::Status BlobFolder::RemoveOthers(const std::set<std::string>& digests) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  std::vector<fs::path> others;
-  for (fs::recursive_directory_iterator at(path_, error), end; !error && at != end; at.increment(error)) {
-    if (at->is_directory(error)) continue;
-    const std::string digest = at->path().parent_path().filename().string() + at->path().filename().string();
-    if (!digests.contains(digest)) others.push_back(at->path());
-  }
-  for (const fs::path& other : others) fs::remove(other, error);
-  return error ? ErrnoStatus(error.value(), "cannot look through it", path_) : absl::OkStatus();
+  return RemoveOthers(path_, digests);
 }
 
 void BlobFolder::Remove(const std::function<bool()>& stop) {

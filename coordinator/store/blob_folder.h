@@ -61,10 +61,9 @@ class BlobFolder {
   // The digest of `bytes`, which are stored unless they are there already. With Sync::kYes they are stored in any case:
   // what is there may not be on the disk. `known`: their digest, where it is known.
   absl::StatusOr<std::string> Put(std::string_view bytes, Sync sync = Sync::kNo, std::string known = "");
-  // As Put, but only until LetGo was called as often. The bytes are in memory, unless all folders of the process would
-  // then hold more than kMostHeldBytes there. The first call decides where, until the last has let go.
-  absl::StatusOr<std::string> Hold(std::string bytes);
-  // Likewise; `read` gives the bytes that have the digest, and is called only if they are not there.
+  // As Put, but only until LetGo was called as often; `read` gives the bytes that have the digest, and is called only
+  // if they are not there. The bytes are in memory, unless all folders of the process would then hold more than
+  // kMostHeldBytes there. The first call decides where, until the last has let go.
   absl::Status Hold(const std::string& digest, const std::function<absl::StatusOr<std::string>()>& read);
   void LetGo(const std::string& digest);
   absl::StatusOr<std::unique_ptr<Writer>> NewWriter(Sync sync = Sync::kNo);
@@ -95,9 +94,6 @@ class BlobFolder {
   // Null if it is not in memory.
   std::shared_ptr<const std::string> HeldBytes(const std::string& digest) const;
   void LetGoOfAll();
-  // Hard links in another such folder, synced. False if one cannot be made.
-  bool LinkInto(const BlobFolder& other, const std::set<std::string>& digests) const;
-  absl::Status RemoveOthers(const std::set<std::string>& digests);
   absl::Status MoveIntoPlace(const std::string& temporary, const std::string& digest, Sync sync);
 
   std::string path_;

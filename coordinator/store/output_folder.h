@@ -2,9 +2,6 @@
 #ifndef TILEMEND_COORDINATOR_STORE_OUTPUT_FOLDER_H_
 #define TILEMEND_COORDINATOR_STORE_OUTPUT_FOLDER_H_
 
-#include <cstdint>
-#include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -17,14 +14,13 @@
 #include "common/grid/scene.h"
 #include "coordinator/store/attempt_folder.h"
 #include "coordinator/store/job_marker.h"
-#include "coordinator/store/job_notes.h"
-#include "coordinator/store/own_files.h"
+#include "coordinator/store/output_files.h"
 
 namespace tilemend {
 
 // Claims a folder for one job. While the job lives, its marker there (job_marker.h) is held. Until the output is
 // complete it holds the job's key, so that the same job, run again, goes on there, and no other. (The key of a job that
-// overwrites is there from its first tile on.) The files that workers write get their names from this class alone.
+// overwrites is there from its first tile on.) The files that workers write get their names from `files` alone.
 //
 // What is refused:
 //  - a folder that holds anything but an unfinished output of the same job, unless it may be overwritten. Overwriting
@@ -48,57 +44,29 @@ class OutputFolder {
   const std::string& path() const { return path_; }
   // Where workers write, from Claim to Finish.
   const AttemptFolder& attempts() const { return *attempts_; }
+  OutputFiles& files() { return files_; }
   // Whether nothing is in the way of these files, relative. kInvalidArgument says what to remove.
   absl::Status CheckRoomFor(const std::set<std::string>& files) const;
   // From now on there is output in the folder: the marker stays until Finish. Takes away the report of an older output
   // and what goes with it, which would not be true any more. kResourceExhausted, kPermissionDenied.
   absl::Status BeginWriting();
-  // These files, relative, belong to this output as well.
-  void Adopt(const std::set<std::string>& files);
-  // From now on Place leaves a file that others put there as it is. kAlreadyExists (OUTPUT_EXISTS) if it is not the
-  // same. A file that this job put there is replaced, also by another process of it that has the same notes.
-  void LeaveFiles(std::shared_ptr<JobNotes> notes) { own_.emplace(std::move(notes)); }
-  // Gives files of attempts their names. kInvalidArgument if one is none of this output's; errors of AttemptFolder.
-  absl::Status Place(const std::vector<AttemptFile>& files);
-  // The files are there already, as they are to be. Errors as Place.
-  absl::Status Keep(const std::vector<AttemptFile>& files);
   // Whether a complete output lies there.
   bool has_report() const;
-  // Removes what lies where the job could not write a file of its own: it is of an earlier job. A file that the job
-  // leaves to others stays.
-  absl::Status RemoveUnwritten(const std::string& file) const;
   // Where results are kept for the jobs that come after (ResultLog). Stays when the job ends, however it ends.
   std::string result_log() const;
-  // Looks at every file that was placed, and has their names survive a power cut. Reads those with a digest that do not
-  // look as they did then. kAborted if one is not there as it was placed, kCancelled if `ends`.
-  absl::Status SeeAll(const std::function<bool()>& ends) const;
-  // Removes what a killed coordinator left half-written (attempts go in Finish); gives the number of files and folders
-  // there that are not of this output.
-  int64_t TidyUp();
   // The output is complete.
   void Finish();
 
  private:
-  struct Placed {
-    int64_t bytes = -1;  // until it is placed
-    std::string digest;
-    std::string stamp;  // "" where it does not count
-  };
-
-  OutputFolder(std::string path, std::string key) : path_(std::move(path)), key_(std::move(key)) {}
-  // Makes the folder, and locks the marker in it.
-  absl::Status Lock();
-  // Whether there is nothing in the folder that a job, run again, could know as done.
-  bool IsBare() const;
+  OutputFolder(std::string path, std::string key) : path_(path), key_(std::move(key)), files_(std::move(path)) {}
 
   std::string path_;
   std::string key_;
-  std::map<std::string, Placed> files_;    // of this output, relative
+  OutputFiles files_;
   std::vector<std::string> made_;          // folders, the outermost first
   std::unique_ptr<JobMarker> marker_;      // while the folder is claimed
   bool keep_ = false;                      // the marker is to stay
   bool wrote_ = false;                     // this process
-  std::optional<OwnFiles> own_;            // if it leaves those of others
   std::optional<AttemptFolder> attempts_;  // while the folder is claimed
 };
 

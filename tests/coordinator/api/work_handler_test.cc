@@ -13,6 +13,7 @@
 
 #include "absl/cleanup/cleanup.h"
 #include "common/rpc/limits.h"
+#include "common/store/digest.h"
 #include "common/util/error_info.h"
 #include "coordinator/store/blob_folder.h"
 #include "tests/coordinator/api/coordinator_fixture.h"
@@ -27,7 +28,8 @@ using WorkHandlerTest = CoordinatorTest;
 
 TEST_F(WorkHandlerTest, AnInputThatWasLostIsNotTakenForAnEmptyOne) {
   BlobFolder other(cluster_.folder() / "other");
-  ASSERT_TRUE(other.Hold(std::string(kMostHeldBytes, 'x')).ok());  // so that inputs are files
+  const std::string most(kMostHeldBytes, 'x');
+  ASSERT_TRUE(other.Hold(Sha256Hex(most), [&most] { return most; }).ok());  // so that inputs are files
   ASSERT_TRUE(calls_.jobs.CreateJob(NewRequest()).ok());
   const v1::Task task = AwaitTask();
   ASSERT_EQ(task.input().size(), static_cast<int64_t>(task.input().content().size()));

@@ -25,6 +25,12 @@ int64_t FilesIn(const std::string& folder) {
   return std::count_if(begin(all), end(all), [](const fs::directory_entry& entry) { return entry.is_regular_file(); });
 }
 
+std::string HoldBytes(BlobFolder& blobs, std::string bytes) {
+  std::string digest = Sha256Hex(bytes);
+  EXPECT_TRUE(blobs.Hold(digest, [&bytes] { return std::move(bytes); }).ok());
+  return digest;
+}
+
 class BlobFolderTest : public ::testing::Test {
  protected:
   TempFolder folder_;
@@ -53,9 +59,9 @@ TEST_F(BlobFolderTest, GivesNoDamagedBytes) {
 
 TEST_F(BlobFolderTest, HoldsBlobsInMemoryUntilEachHolderLetsGo) {
   const std::string bytes(kMaxChunkBytes + 5, 'h');
-  const std::string digest = *blobs_->Hold(bytes);
+  const std::string digest = HoldBytes(*blobs_, bytes);
   EXPECT_EQ(digest, Sha256Hex(bytes));
-  EXPECT_EQ(*blobs_->Hold(bytes), digest);
+  EXPECT_EQ(HoldBytes(*blobs_, bytes), digest);
   EXPECT_EQ(FilesIn(folder_ / "blobs"), 0);
   blobs_->LetGo(digest);
   EXPECT_EQ(*blobs_->Size(digest), static_cast<int64_t>(bytes.size()));
@@ -91,27 +97,27 @@ TEST_F(BlobFolderTest, ReadsWhatItIsToHoldOnlyIfItIsNotThere) {
 
 TEST_F(BlobFolderTest, HoldsNoMoreInMemoryThanAllFoldersMay) {
   const auto other = *BlobFolder::Create(folder_ / "other");
-  const std::string first = *other->Hold(std::string(kMostHeldBytes - 10, 'a'));
-  const std::string second = *blobs_->Hold(std::string(11, 'b'));
+  const std::string first = HoldBytes(*other, std::string(kMostHeldBytes - 10, 'a'));
+  const std::string second = HoldBytes(*blobs_, std::string(11, 'b'));
   EXPECT_EQ(FilesIn(folder_ / "other"), 0);
   EXPECT_EQ(FilesIn(folder_ / "blobs"), 1) << "more than the process may hold";
   EXPECT_EQ(*blobs_->Read(second), std::string(11, 'b'));
-  EXPECT_TRUE(blobs_->Hold(std::string(10, 'c')).ok());
+  HoldBytes(*blobs_, std::string(10, 'c'));
   EXPECT_EQ(FilesIn(folder_ / "blobs"), 1);
   blobs_->LetGo(second);
   EXPECT_TRUE(blobs_->Read(second).ok()) << "a file stays as long as its folder";
   other->Remove();
-  EXPECT_TRUE(blobs_->Hold(std::string(kMostHeldBytes - 10, 'd')).ok());
+  HoldBytes(*blobs_, std::string(kMostHeldBytes - 10, 'd'));
   EXPECT_EQ(FilesIn(folder_ / "blobs"), 1) << "what a folder held is free when that goes";
 }
 
 TEST_F(BlobFolderTest, IsHeldInOnePlaceWhoeverHoldsIt) {
   const auto other = *BlobFolder::Create(folder_ / "other");
-  ASSERT_TRUE(other->Hold(std::string(kMostHeldBytes, 'a')).ok());
-  const std::string digest = *blobs_->Hold("in a file");
+  HoldBytes(*other, std::string(kMostHeldBytes, 'a'));
+  const std::string digest = HoldBytes(*blobs_, "in a file");
   other->Remove();
-  ASSERT_EQ(*blobs_->Hold("in a file"), digest) << "there is memory now";
-  EXPECT_TRUE(blobs_->Hold(std::string(kMostHeldBytes, 'b')).ok());
+  ASSERT_EQ(HoldBytes(*blobs_, "in a file"), digest) << "there is memory now";
+  HoldBytes(*blobs_, std::string(kMostHeldBytes, 'b'));
   EXPECT_EQ(FilesIn(folder_ / "blobs"), 1) << "the second time it took no memory";
   blobs_->LetGo(digest);
   EXPECT_EQ(*blobs_->Read(digest), "in a file");

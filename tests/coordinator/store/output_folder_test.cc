@@ -126,7 +126,7 @@ TEST_F(OutputFolderTest, TidiesHalfWrittenFilesOfItsOwnAndCountsOthers) {
   folder_.Write("deep/out/notes.txt", "mine");
   folder_.Write("deep/out/more/a.txt", "mine");
   folder_.Write("deep/out/more/b.txt", "mine");
-  EXPECT_EQ(claimed->TidyUp(), 3) << "a folder of others is not looked through";
+  EXPECT_EQ(claimed->files().TidyUp(), 3) << "a folder of others is not looked through";
   EXPECT_FALSE(Exists("deep/out/tiles/a.ply" + std::string(kPartSuffix) + "1"));
   EXPECT_TRUE(Exists("deep/out/tiles/a.ply"));
   EXPECT_TRUE(Exists("deep/out/notes.txt"));
@@ -260,130 +260,6 @@ TEST_F(OutputFolderTest, SaysWhatIsInTheWayOfFilesThatAreCarried) {
   const absl::Status status = output->CheckRoomFor({"a.jpg", "images/b.jpg"});
   EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
   EXPECT_THAT(std::string(status.message()), testing::HasSubstr(out_ + "/images: a link"));
-}
-
-class PlacedFilesTest : public OutputFolderTest {
- protected:
-  PlacedFilesTest() {
-    auto claimed = Claim(out_);
-    EXPECT_TRUE(claimed.ok()) << claimed.status();
-    output_.emplace(*std::move(claimed));
-    EXPECT_TRUE(output_->BeginWriting().ok());
-  }
-  // As a worker leaves it.
-  AttemptFile Attempt(const std::string& content = "filled") {
-    AttemptFile file{absl::StrCat(std::string(32, 'a'), "-", ++attempts_), "tiles/a.ply",
-                     static_cast<int64_t>(content.size()), FileDigest(content)};
-    folder_.Write(absl::StrCat("deep/out/.tilemend-attempts/", file.attempt), content);
-    return file;
-  }
-  absl::Status SeeAll() const {
-    return output_->SeeAll([] { return false; });
-  }
-
-  const std::string tile_ = out_ + "/tiles/a.ply";
-  std::optional<OutputFolder> output_;
-  int attempts_ = 0;
-};
-
-TEST_F(PlacedFilesTest, GetTheirNames) {
-  const AttemptFile file = Attempt();
-  ASSERT_TRUE(output_->Place({file}).ok());
-  EXPECT_EQ(ReadFile(out_ + "/tiles/a.ply").value(), "filled");
-  EXPECT_TRUE(output_->Place({file}).ok()) << "again, after a restart";
-  EXPECT_TRUE(SeeAll().ok());
-  EXPECT_EQ(output_->TidyUp(), 0);
-  output_->Finish();
-  EXPECT_FALSE(Exists("deep/out/.tilemend-attempts"));
-}
-
-TEST_F(PlacedFilesTest, MustBeThereAndOfThisOutput) {
-  AttemptFile gone = Attempt();
-  ASSERT_TRUE(output_->Place({gone}).ok());
-  gone.bytes += 1;
-  EXPECT_TRUE(absl::IsUnavailable(output_->Place({gone}))) << "another file has the name";
-  AttemptFile strange = Attempt();
-  strange.path = "../mine.txt";
-  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place({strange})));
-  AttemptFile outside = Attempt();
-  outside.attempt = "../../../scene/tiles/a.ply";
-  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place({outside})));
-  outside.attempt = "key";
-  EXPECT_TRUE(absl::IsInvalidArgument(output_->Place({outside})));
-  EXPECT_TRUE(Exists("scene/tiles/a.ply"));
-}
-
-TEST_F(PlacedFilesTest, AreMissedWhenTheyAreGoneOrChanged) {
-  ASSERT_TRUE(output_->Place({Attempt()}).ok());
-  EXPECT_TRUE(SeeAll().ok());
-  folder_.Write("deep/out/tiles/a.ply", "cut");
-  EXPECT_TRUE(absl::IsAborted(SeeAll()));
-  fs::remove_all(out_);
-  const absl::Status status = SeeAll();
-  EXPECT_TRUE(absl::IsAborted(status)) << status;
-  EXPECT_THAT(std::string(status.message()), testing::HasSubstr("1 of 1 files"));
-}
-
-TEST_F(PlacedFilesTest, AreMissedWhenTheyHaveOtherBytesOfTheSameSize) {
-  const fs::file_time_type later = fs::file_time_type::clock::now() + std::chrono::hours(1);
-  ASSERT_TRUE(output_->Place({Attempt()}).ok());
-  fs::last_write_time(tile_, later);
-  EXPECT_TRUE(SeeAll().ok()) << "other times alone";
-  folder_.Write("deep/out/tiles/a.ply", "killed");
-  fs::last_write_time(tile_, later);
-  const absl::Status status = SeeAll();
-  EXPECT_TRUE(absl::IsAborted(status)) << status;
-  EXPECT_EQ(GetErrorInfo(status)->metadata.at("file"), tile_);
-  fs::remove(tile_);
-  folder_.Write("deep/out/tiles/a.ply", "filled");
-  EXPECT_TRUE(SeeAll().ok()) << "another file with the same bytes";
-}
-
-TEST_F(PlacedFilesTest, AreMissedWhereALinkIsInTheirPlace) {
-  ASSERT_TRUE(output_->Place({Attempt()}).ok());
-  fs::rename(tile_, folder_ / "moved.ply");
-  fs::create_symlink(folder_ / "moved.ply", tile_);
-  EXPECT_TRUE(absl::IsAborted(SeeAll()));
-}
-
-TEST_F(PlacedFilesTest, AreLookedAtUntilTheJobIsToEnd) {
-  ASSERT_TRUE(output_->Place({Attempt()}).ok());
-  EXPECT_TRUE(absl::IsCancelled(output_->SeeAll([] { return true; })));
-}
-
-TEST_F(PlacedFilesTest, OutliveTheProcessUntilTheyArePlaced) {
-  const AttemptFile file = Attempt();
-  output_.reset();
-  auto again = Claim(out_);
-  ASSERT_TRUE(again.ok()) << again.status();
-  EXPECT_TRUE(again->Place({file}).ok());
-}
-
-TEST_F(PlacedFilesTest, OfOthersAreLeftAndOwnOnesReplaced) {
-  const auto notes = std::make_shared<NotesInMemory>();
-  output_->LeaveFiles(notes);
-  folder_.Write("deep/out/tiles/a.ply", "theirs");
-  const auto other = output_->Place({Attempt("filled")});
-  EXPECT_EQ(ErrorReason(other), "OUTPUT_EXISTS") << other;
-  EXPECT_TRUE(output_->Place({Attempt("theirs")}).ok()) << "the same bytes";
-  fs::remove(tile_);
-  ASSERT_TRUE(output_->Place({Attempt("wrong")}).ok());
-  ASSERT_TRUE(output_->Place({Attempt("filled")}).ok());
-  EXPECT_EQ(ReadFile(tile_).value(), "filled");
-  for (const bool is_known : {true, false}) {
-    output_.reset();
-    output_.emplace(*Claim(out_));
-    output_->LeaveFiles(is_known ? notes : std::make_shared<NotesInMemory>());
-    EXPECT_EQ(output_->Place({Attempt(is_known ? "mended" : "of another job")}).ok(), is_known);
-    EXPECT_EQ(ReadFile(tile_).value(), "mended");
-  }
-}
-
-TEST_F(PlacedFilesTest, HaveAKeyThatStays) {
-  const std::string key = ReadFile(output_->attempts().key_file()).value();
-  EXPECT_EQ(key.size(), 32U);
-  output_.reset();
-  EXPECT_EQ(ReadFile(Claim(out_)->attempts().key_file()).value(), key);
 }
 
 }  // namespace
