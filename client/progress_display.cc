@@ -11,7 +11,7 @@
 #include "common/util/stage_words.h"
 #include "common/util/standard_streams.h"
 #include "common/util/text.h"
-#include "coordinator/jobs/cluster_events.h"
+#include "coordinator/jobs/job_metrics.h"
 #include "coordinator/jobs/job_pipeline.h"
 
 namespace tilemend {

@@ -18,7 +18,7 @@
 #include "common/util/stage_words.h"
 #include "common/util/standard_streams.h"
 #include "common/util/text.h"
-#include "coordinator/jobs/cluster_events.h"
+#include "coordinator/jobs/job_metrics.h"
 #include "coordinator/jobs/job_pipeline.h"
 #include "coordinator/report/json_access.h"
 #include "coordinator/report/left_open.h"

@@ -142,7 +142,7 @@ std::vector<ResultIntake::Discarded> ResultIntake::Take(const std::string& worke
     if (is_taken) {
       cluster_.metrics.BlobReceived(bytes);
     } else {
-      cluster_.metrics.RefusedLate(report.stage);
+      cluster_.metrics.Refused(report.stage, true);
     }
     const JobFolders* folders = cluster_.trust.FoldersOf(report.ref.job());
     const auto job = cluster_.jobs.find(report.ref.job());
@@ -190,7 +190,7 @@ bool ResultIntake::TakeReport(const std::string& worker, Report& report) {
   if (failed != nullptr && ErrorReason(failed->error) == "FOLDER_NOT_SEEN")
     cluster_.trust.Doubt(worker, report.ref.job());
   if (!report.refusal.empty()) {
-    cluster_.metrics.Refused(report.stage);
+    cluster_.metrics.Refused(report.stage, false);
     updates_.Warn(report.ref.job(), report.refusal);
   }
   return true;

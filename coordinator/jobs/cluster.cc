@@ -1,7 +1,5 @@
 #include "coordinator/jobs/cluster.h"
 
-#include <utility>
-
 #include "absl/strings/str_cat.h"
 #include "absl/strings/strip.h"
 #include "common/util/error_info.h"
@@ -12,7 +10,8 @@ Cluster::Cluster(CoordinatorOptions start, MetricsRegistry& registry)
     : options(std::move(start)),
       journal(options.journal),
       metrics(registry),
-      events(registry, *options.log),
+      job_metrics(registry),
+      events(registry, job_metrics, *options.log),
       state(options.state) {}
 
 absl::StatusOr<const Job*> Cluster::JobNamed(const std::string& name) const {
@@ -39,14 +38,9 @@ std::set<std::string> WorkersBeingChecked(const Cluster& cluster) {
   return workers;
 }
 
-void Cluster::ForgetWorker(const std::string& worker) {
-  callers.erase(worker);
-  trust.RemoveWorker(worker);
-}
-
 void Cluster::ShowMetrics() {
   metrics.Show(state);
-  events.Show(state, options.clock());
+  job_metrics.Show(state, options.clock());
 }
 
 void Cluster::Changed() {

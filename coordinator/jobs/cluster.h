@@ -15,7 +15,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <utility>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
@@ -25,6 +24,7 @@
 #include "coordinator/jobs/cluster_events.h"
 #include "coordinator/jobs/coordinator_metrics.h"
 #include "coordinator/jobs/coordinator_options.h"
+#include "coordinator/jobs/job_metrics.h"
 #include "coordinator/jobs/job_pipeline.h"
 #include "coordinator/jobs/job_runner.h"
 #include "coordinator/jobs/worker_trust.h"
@@ -104,7 +104,6 @@ struct Cluster {
   absl::StatusOr<const Job*> JobNamed(const std::string& name) const;
   // Which worker may work on which job. Valid as long as the cluster.
   MayWork MayWorkNow() const;
-  void ForgetWorker(const std::string& worker);
   void ShowMetrics();
   // Wakes the calls that wait for a change.
   void Changed();
@@ -120,6 +119,7 @@ struct Cluster {
   ChangeSignal job_changed;
   std::condition_variable stop_changed;
   bool stopping = false;
+  JobMetrics job_metrics;
   ClusterEvents events;
   CoordinatorState state;
   std::map<std::string, JobEntry> jobs;         // by id

@@ -19,8 +19,8 @@ class CoordinatorMetrics {
 
   void Started(Stage stage) { Of(stage).started->Increment(); }
   void Retried(Stage stage) { Of(stage).retried->Increment(); }
-  void RefusedLate(Stage stage) { Of(stage).refused_late->Increment(); }
-  void Refused(Stage stage) { Of(stage).refused->Increment(); }
+  // A result: late if its attempt had been given up, else wrong.
+  void Refused(Stage stage, bool is_late) { (is_late ? Of(stage).refused_late : Of(stage).refused)->Increment(); }
   void Settled(const SettledTask& task, absl::Time now);
   void BlobSent(int64_t bytes) { blob_bytes_sent_->Increment(static_cast<double>(bytes)); }
   void BlobReceived(int64_t bytes) { blob_bytes_received_->Increment(static_cast<double>(bytes)); }

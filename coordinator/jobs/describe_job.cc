@@ -32,7 +32,7 @@ v1::Job DescribeJob(const Cluster& cluster, const Job& job) {
   const JobEntry& entry = cluster.jobs.at(job.id);
   v1::Job message = JobToProto(job, entry.spec, entry.outcome, entry.error, entry.origin);
   message.set_waiting(WhyWaiting(cluster, job));
-  message.set_slot(cluster.events.SlotOf(job.id));
+  message.set_slot(cluster.job_metrics.SlotOf(job.id));
   return message;
 }
 

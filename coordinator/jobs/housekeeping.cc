@@ -37,7 +37,8 @@ void Housekeeping::Tick() {
   for (const Event& event : overdue) {
     if (const auto* lost = std::get_if<WorkerLost>(&event)) {
       cluster_.events.WorkerLost(*cluster_.state.FindWorker(lost->worker), now);
-      cluster_.ForgetWorker(lost->worker);
+      cluster_.callers.erase(lost->worker);
+      cluster_.trust.RemoveWorker(lost->worker);
     }
     updates_.Apply(event).IgnoreError();
   }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <memory>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -32,7 +32,6 @@
 #include "coordinator/jobs/scene_folders.h"
 #include "coordinator/jobs/scene_options.h"
 #include "coordinator/jobs/scene_tasks.h"
-#include "coordinator/jobs/scene_verification.h"
 #include "coordinator/jobs/task_reuse.h"
 #include "coordinator/report/area_choice.h"
 #include "coordinator/report/left_open.h"
@@ -114,6 +113,10 @@ struct Steps {
   }
 };
 
+std::function<void(std::string_view)> StepEnds(Steps& steps, const SceneWaves& waves) {
+  return [&](std::string_view step) { steps.End(step, waves); };
+}
+
 // How an output ends: it is complete, or the job was cancelled, whichever came first. Thread-safe.
 class OutputEnd {
  public:
@@ -132,126 +135,38 @@ class OutputEnd {
   std::atomic<End> end_{End::kOpen};
 };
 
-// Drives the waves of a scene with tasks, takes over what is known of them, and owns the output.
-class ScenePipeline : public JobPipeline {
+WaveOptions OptionsFor(const JobSpec& spec, std::set<CellId> chosen, WaterOptions water, const OutputEnd& end,
+                       const std::optional<OutputFolder>& output) {
+  WaveOptions options = WaveOptionsOf(spec, std::move(water), [&end] { return end.is_cancelled(); });
+  options.chosen = std::move(chosen);
+  // A complete output stays what it is until all of the new one is known.
+  options.write_early = output && !output->has_report();
+  return options;
+}
+
+// The work of a scene as tasks: gives them out, and hands on what comes of them.
+class TaskFlow {
  public:
-  ScenePipeline(JobOnOutput job, Scene scene, std::set<CellId> chosen, WaterOptions water,
-                std::optional<OutputFolder> output, std::shared_ptr<ScratchFile> scratch, VerifiedShares verified,
-                std::shared_ptr<DecodedSurveys> surveys)
-      : job_(std::move(job)),
-        surveys_(std::move(surveys)),
-        output_(std::move(output)),
-        verification_(verified, output_ ? output_->path() : "", scratch),
-        waves_(std::move(scene), OptionsFor(std::move(chosen), std::move(water)),
-               [this](std::string_view step) { steps_.End(step, waves_); }),
-        tasks_(job_.spec, waves_, output_ ? &*output_ : nullptr, std::move(scratch)) {
-    steps_.sight = std::make_shared<SceneSight>(waves_.scene());
-  }
+  // All must outlive this; `output` and `surveys` may be null.
+  TaskFlow(SceneVerification verification, SceneWaves& waves, SceneTasks& tasks, const Steps& steps,
+           const OutputEnd& end, OutputFolder* output, std::shared_ptr<DecodedSurveys> surveys)
+      : verification_(std::move(verification)),
+        waves_(waves),
+        tasks_(tasks),
+        steps_(steps),
+        end_(end),
+        output_(output),
+        surveys_(std::move(surveys)) {}
 
-  absl::StatusOr<JobFolders> Folders() const override {
-    return FoldersOf(waves_.scene(), output_ ? &output_->attempts() : nullptr);
-  }
+  // What earlier jobs left. Before the first task.
+  void Reuse(ResultLog log) { reuse_.emplace(std::move(log)); }
 
-  std::shared_ptr<const SceneSight> Sight() const override { return steps_.sight; }
-
-  void Prepare(const std::shared_ptr<JobNotes>& notes, std::optional<Resumption> resumed) override {
-    verification_.UseNotes(notes);
-    if (output_ && job_.adds) output_->files().LeaveFiles(notes);
-    if (!resumed) return;
-    opening_ = *resumed == Resumption::kRestart ? ResultLog::Opening::kSameJob : ResultLog::Opening::kSameJobAnew;
-  }
-
-  absl::StatusOr<std::vector<NewTask>> Start() override {
-    const std::vector<SceneTile>& tiles = waves_.scene().tiles;
-    if (std::all_of(tiles.begin(), tiles.end(), [](const SceneTile& tile) { return tile.path.empty(); }))
-      return absl::InvalidArgumentError(absl::StrCat(job_.spec.scene(), ": no cell of the scene has a tile"));
-    // Nothing can be appended to an object.
-    if (output_ && !IsObjectPath(output_->path())) {
-      TILEMEND_ASSIGN_OR_RETURN(ResultLog log, ResultLog::Open(output_->result_log(), opening_));
-      reuse_.emplace(std::move(log));
-    }
-    return NextTasks();
-  }
-
-  absl::StatusOr<std::vector<NewTask>> OnTaskDone(TaskResult result) override {
+  absl::StatusOr<std::vector<NewTask>> Take(TaskResult result) {
     --tasks_out_;
     auto next = TakeResult(std::move(result));
     const bool bad_input = absl::IsInvalidArgument(next.status()) || absl::IsNotFound(next.status());
     if (bad_input && !writing_) reuse_->Discard();
     return next;
-  }
-
-  std::optional<CaughtWorker> Caught() const override { return verification_.caught(); }
-
-  bool Done() const override { return waves_.done() && verification_.is_over(); }
-
-  Progress GetProgress() const override {
-    Progress progress;
-    // Also if all of it is known from an earlier run: nobody is to see the job go back.
-    progress.phase = waves_.done() && verification_.is_wanted() ? kVerifyPhase : waves_.phase();
-    progress.cells = waves_.cells().all;
-    progress.cells_done = waves_.cells().done;
-    progress.holes = steps_.holes;
-    progress.holes_filled = static_cast<int64_t>(waves_.outcome().sizes.size());
-    progress.triangles = waves_.outcome().triangles;
-    progress.taken_over = reuse_->taken_over();
-    return progress;
-  }
-
-  bool Cancel() override { return end_.Cancel(); }
-
-  void Release() override {
-    // Without a report it is not the output that was finished.
-    if (!output_ || !output_->has_report()) return;
-    // Without it there is more to keep, nothing else.
-    reuse_->Finish().IgnoreError();
-    output_->Finish();
-  }
-
-  absl::StatusOr<JobOutcome> Finish() override {
-    const SceneReportInput report = Report();
-    JobOutcome outcome;
-    const auto left = LeftOf(report);
-    outcome.partial = IsPartial(report) && !job_.spec.dry_run();
-    outcome.message = MessageOf(job_.spec, report, *reuse_, left.empty());
-    if (job_.spec.dry_run()) outcome.warnings = FirstOf(WarningsOf(report));
-    if (output_) TILEMEND_RETURN_IF_ERROR(FinishOutput(report, outcome));
-    return outcome;
-  }
-
- private:
-  WaveOptions OptionsFor(std::set<CellId> chosen, WaterOptions water) {
-    WaveOptions options = WaveOptionsOf(job_.spec, std::move(water), [this] { return end_.is_cancelled(); });
-    options.chosen = std::move(chosen);
-    // A complete output stays what it is until all of the new one is known.
-    options.write_early = output_ && !output_->has_report();
-    return options;
-  }
-
-  absl::StatusOr<std::vector<NewTask>> TakeResult(TaskResult result) {
-    if (result.stage == Stage::kVerify) {
-      TILEMEND_RETURN_IF_ERROR(verification_.Take(result));
-      return verification_.caught() ? std::vector<NewTask>() : NextTasks();
-    }
-    verification_.AddResult(result);
-    if (verification_.caught()) return std::vector<NewTask>();
-    if (!result.output.ok()) {
-      TILEMEND_RETURN_IF_ERROR(Leave(result));
-      return NextTasks();
-    }
-    const CellId cell = result.cell;
-    const Stage stage = result.stage;
-    const std::string digest = result.digest;
-    SceneVerification::Report report = SceneVerification::ReportOf(result);
-    TILEMEND_ASSIGN_OR_RETURN(StageResult decoded, DecodeResult(std::move(result), surveys_.get()));
-    const int32_t number = NumberOf(decoded.output);
-    TILEMEND_RETURN_IF_ERROR(reuse_->Resolve(decoded, number));
-    const std::string bytes = std::move(decoded.bytes);
-    SceneVerification::ReadOutput(decoded.output, waves_, report);
-    TILEMEND_RETURN_IF_ERROR(tasks_.Take(std::move(decoded)));
-    TILEMEND_RETURN_IF_ERROR(reuse_->Keep(cell, stage, number, bytes, digest));
-    verification_.AddReport(std::move(report), waves_.scene().root);
-    return NextTasks();
   }
 
   absl::StatusOr<std::vector<NewTask>> NextTasks() {
@@ -286,6 +201,39 @@ class ScenePipeline : public JobPipeline {
     return tasks;
   }
 
+  SceneVerification& verification() { return verification_; }
+  const SceneVerification& verification() const { return verification_; }
+  const TaskReuse& reuse() const { return *reuse_; }
+  // The job is over.
+  void FinishReuse() { reuse_->Finish().IgnoreError(); }
+
+ private:
+  absl::StatusOr<std::vector<NewTask>> TakeResult(TaskResult result) {
+    if (result.stage == Stage::kVerify) {
+      TILEMEND_RETURN_IF_ERROR(verification_.Take(result));
+      return verification_.caught() ? std::vector<NewTask>() : NextTasks();
+    }
+    verification_.AddResult(result);
+    if (verification_.caught()) return std::vector<NewTask>();
+    if (!result.output.ok()) {
+      TILEMEND_RETURN_IF_ERROR(Leave(result));
+      return NextTasks();
+    }
+    const CellId cell = result.cell;
+    const Stage stage = result.stage;
+    const std::string digest = result.digest;
+    SceneVerification::Report report = SceneVerification::ReportOf(result);
+    TILEMEND_ASSIGN_OR_RETURN(StageResult decoded, DecodeResult(std::move(result), surveys_.get()));
+    const int32_t number = NumberOf(decoded.output);
+    TILEMEND_RETURN_IF_ERROR(reuse_->Resolve(decoded, number));
+    const std::string bytes = std::move(decoded.bytes);
+    SceneVerification::ReadOutput(decoded.output, waves_, report);
+    TILEMEND_RETURN_IF_ERROR(tasks_.Take(std::move(decoded)));
+    TILEMEND_RETURN_IF_ERROR(reuse_->Keep(cell, stage, number, bytes, digest));
+    verification_.AddReport(std::move(report), waves_.scene().root);
+    return NextTasks();
+  }
+
   // Goes on without a cell that workers died of, or whose filling broke: the failure of a cell is not that of the job.
   // Without its survey or in want of disk space there is no going on.
   absl::Status Leave(const TaskResult& result) {
@@ -298,63 +246,158 @@ class ScenePipeline : public JobPipeline {
     return waves_.Take(LeftWork{kind, result.cell, std::string(error.message())});
   }
 
-  SceneReportInput Report() const {
-    SceneReportInput report;
-    report.plan = &waves_.plan();
-    report.outcome = waves_.outcome();
-    report.cells = static_cast<int64_t>(waves_.scene().tiles.size());
-    report.seconds = steps_.seconds;
-    report.scene = job_.spec.scene();
-    report.date = UtcText(absl::Now());
-    report.tasks = reuse_->tasks();
-    report.taken_over = reuse_->taken_over();
-    report.tiles = reuse_->tiles();
-    report.tiles_kept = reuse_->tiles_kept();
-    report.key = job_.key;
-    report.options = ReportedOptions(job_.spec, kOfJobs);
-    report.levels = tasks_.levels();
-    report.files = FileDigestsOf(job_.identity);
-    report.warnings = waves_.scene().warnings;
-    for (std::string& warning : tasks_.files().Warnings()) report.warnings.push_back(std::move(warning));
-    return report;
-  }
-
-  absl::Status FinishOutput(const SceneReportInput& report, JobOutcome& outcome) {
-    TILEMEND_RETURN_IF_ERROR(output_->files().SeeAll([this] { return end_.is_cancelled(); }));
-    const Scene& scene = waves_.scene();
-    for (const auto& unwritten : report.outcome.unwritten) {
-      TILEMEND_RETURN_IF_ERROR(output_->files().RemoveUnwritten(OutputPath(waves_.survey().tile(unwritten.cell))));
-    }
-    TILEMEND_RETURN_IF_ERROR(WriteScene(scene, *output_));
-    output_->files().Adopt(tasks_.files().Carried());
-    if (const int64_t others = output_->files().TidyUp(); others > 0) {
-      absl::StrAppend(&outcome.message, "; other files and folders there, left as they were: ", others);
-    }
-    const std::string folder = output_->path() + "/";
-    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(folder + "holes.geojson", HolesGeoJson(report, scene)));
-    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(folder + "breaklines.geojson", BreaklinesGeoJson(report, scene)));
-    outcome.report = folder + "report.json";
-    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(outcome.report, SceneReport(report)));
-    TILEMEND_RETURN_IF_ERROR(SyncFolder(output_->path()));
-    if (!end_.Complete()) {
-      TILEMEND_RETURN_IF_ERROR(output_->BeginWriting());  // it is not complete in the eyes of who cancelled it
-      return absl::CancelledError("the job was cancelled");
-    }
-    return absl::OkStatus();
-  }
-
-  const JobOnOutput job_;
-  const std::shared_ptr<DecodedSurveys> surveys_;  // may be null
-  std::optional<OutputFolder> output_;             // none in a dry run
   SceneVerification verification_;
+  SceneWaves& waves_;
+  SceneTasks& tasks_;
+  const Steps& steps_;
+  const OutputEnd& end_;
+  OutputFolder* const output_;
+  const std::shared_ptr<DecodedSurveys> surveys_;
   int64_t tasks_out_ = 0;  // given out, and their results have not come
   bool writing_ = false;
+  std::optional<TaskReuse> reuse_{std::in_place, std::nullopt};
+};
+
+SceneReportInput ReportOf(const JobOnOutput& job, const SceneWaves& waves, const Steps& steps, const SceneTasks& tasks,
+                          const TaskReuse& reuse) {
+  SceneReportInput report;
+  report.plan = &waves.plan();
+  report.outcome = waves.outcome();
+  report.cells = static_cast<int64_t>(waves.scene().tiles.size());
+  report.seconds = steps.seconds;
+  report.scene = job.spec.scene();
+  report.date = UtcText(absl::Now());
+  report.tasks = reuse.tasks();
+  report.taken_over = reuse.taken_over();
+  report.tiles = reuse.tiles();
+  report.tiles_kept = reuse.tiles_kept();
+  report.key = job.key;
+  report.options = ReportedOptions(job.spec, kOfJobs);
+  report.levels = tasks.levels();
+  report.files = FileDigestsOf(job.identity);
+  report.warnings = waves.scene().warnings;
+  for (std::string& warning : tasks.files().Warnings()) report.warnings.push_back(std::move(warning));
+  return report;
+}
+
+// Writes what stands beside the tiles.
+absl::Status FinishOutput(const SceneReportInput& report, const SceneWaves& waves, const std::set<std::string>& carried,
+                          OutputEnd& end, OutputFolder& output, JobOutcome& outcome) {
+  TILEMEND_RETURN_IF_ERROR(output.files().SeeAll([&] { return end.is_cancelled(); }));
+  const Scene& scene = waves.scene();
+  for (const auto& unwritten : report.outcome.unwritten) {
+    TILEMEND_RETURN_IF_ERROR(output.files().RemoveUnwritten(OutputPath(waves.survey().tile(unwritten.cell))));
+  }
+  TILEMEND_RETURN_IF_ERROR(WriteScene(scene, output));
+  output.files().Adopt(carried);
+  if (const int64_t others = output.files().TidyUp(); others > 0) {
+    absl::StrAppend(&outcome.message, "; other files and folders there, left as they were: ", others);
+  }
+  const std::string folder = output.path() + "/";
+  TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(folder + "holes.geojson", HolesGeoJson(report, scene)));
+  TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(folder + "breaklines.geojson", BreaklinesGeoJson(report, scene)));
+  outcome.report = folder + "report.json";
+  TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(outcome.report, SceneReport(report)));
+  TILEMEND_RETURN_IF_ERROR(SyncFolder(output.path()));
+  if (!end.Complete()) {
+    TILEMEND_RETURN_IF_ERROR(output.BeginWriting());  // it is not complete in the eyes of who cancelled it
+    return absl::CancelledError("the job was cancelled");
+  }
+  return absl::OkStatus();
+}
+
+// Drives the waves of a scene with tasks, takes over what is known of them, and owns the output.
+class ScenePipeline : public JobPipeline {
+ public:
+  ScenePipeline(JobOnOutput job, Scene scene, std::set<CellId> chosen, WaterOptions water,
+                std::optional<OutputFolder> output, const std::shared_ptr<ScratchFile>& scratch,
+                VerifiedShares verified, std::shared_ptr<DecodedSurveys> surveys)
+      : job_(std::move(job)),
+        output_(std::move(output)),
+        waves_(std::move(scene), OptionsFor(job_.spec, std::move(chosen), std::move(water), end_, output_),
+               StepEnds(steps_, waves_)),
+        tasks_(job_.spec, waves_, output_ ? &*output_ : nullptr, scratch),
+        flow_(SceneVerification(verified, output_ ? output_->path() : "", scratch), waves_, tasks_, steps_, end_,
+              output_ ? &*output_ : nullptr, std::move(surveys)) {
+    steps_.sight = std::make_shared<SceneSight>(waves_.scene());
+  }
+
+  absl::StatusOr<JobFolders> Folders() const override {
+    return FoldersOf(waves_.scene(), output_ ? &output_->attempts() : nullptr);
+  }
+
+  std::shared_ptr<const SceneSight> Sight() const override { return steps_.sight; }
+
+  void Prepare(const std::shared_ptr<JobNotes>& notes, std::optional<Resumption> resumed) override {
+    flow_.verification().UseNotes(notes);
+    if (output_ && job_.adds) output_->files().LeaveFiles(notes);
+    if (!resumed) return;
+    opening_ = *resumed == Resumption::kRestart ? ResultLog::Opening::kSameJob : ResultLog::Opening::kSameJobAnew;
+  }
+
+  absl::StatusOr<std::vector<NewTask>> Start() override {
+    const std::vector<SceneTile>& tiles = waves_.scene().tiles;
+    if (std::all_of(tiles.begin(), tiles.end(), [](const SceneTile& tile) { return tile.path.empty(); }))
+      return absl::InvalidArgumentError(absl::StrCat(job_.spec.scene(), ": no cell of the scene has a tile"));
+    // Nothing can be appended to an object.
+    if (output_ && !IsObjectPath(output_->path())) {
+      TILEMEND_ASSIGN_OR_RETURN(ResultLog log, ResultLog::Open(output_->result_log(), opening_));
+      flow_.Reuse(std::move(log));
+    }
+    return flow_.NextTasks();
+  }
+
+  absl::StatusOr<std::vector<NewTask>> OnTaskDone(TaskResult result) override { return flow_.Take(std::move(result)); }
+
+  std::optional<CaughtWorker> Caught() const override { return flow_.verification().caught(); }
+
+  bool Done() const override { return waves_.done() && flow_.verification().is_over(); }
+
+  Progress GetProgress() const override {
+    Progress progress;
+    // Also if all of it is known from an earlier run: nobody is to see the job go back.
+    progress.phase = waves_.done() && flow_.verification().is_wanted() ? kVerifyPhase : waves_.phase();
+    progress.cells = waves_.cells().all;
+    progress.cells_done = waves_.cells().done;
+    progress.holes = steps_.holes;
+    progress.holes_filled = static_cast<int64_t>(waves_.outcome().sizes.size());
+    progress.triangles = waves_.outcome().triangles;
+    progress.taken_over = flow_.reuse().taken_over();
+    return progress;
+  }
+
+  bool Cancel() override { return end_.Cancel(); }
+
+  void Release() override {
+    // Without a report it is not the output that was finished.
+    if (!output_ || !output_->has_report()) return;
+    // Without it there is more to keep, nothing else.
+    flow_.FinishReuse();
+    output_->Finish();
+  }
+
+  absl::StatusOr<JobOutcome> Finish() override {
+    const SceneReportInput report = ReportOf(job_, waves_, steps_, tasks_, flow_.reuse());
+    JobOutcome outcome;
+    const auto left = LeftOf(report);
+    outcome.partial = IsPartial(report) && !job_.spec.dry_run();
+    outcome.message = MessageOf(job_.spec, report, flow_.reuse(), left.empty());
+    if (job_.spec.dry_run()) outcome.warnings = FirstOf(WarningsOf(report));
+    if (output_) {
+      TILEMEND_RETURN_IF_ERROR(FinishOutput(report, waves_, tasks_.files().Carried(), end_, *output_, outcome));
+    }
+    return outcome;
+  }
+
+ private:
+  const JobOnOutput job_;
+  std::optional<OutputFolder> output_;  // none in a dry run
   OutputEnd end_;
   Steps steps_;
   SceneWaves waves_;
   SceneTasks tasks_;
+  TaskFlow flow_;
   ResultLog::Opening opening_ = ResultLog::Opening::kNewJob;
-  std::optional<TaskReuse> reuse_{std::in_place, std::nullopt};
 };
 
 absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& spec, const std::string& scratch_folder,

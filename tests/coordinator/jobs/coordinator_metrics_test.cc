@@ -28,7 +28,7 @@ TEST_F(CoordinatorMetricsTest, CountsTasksByStage) {
     metrics_.Started(stage);
     metrics_.Started(stage);
     metrics_.Retried(stage);
-    metrics_.RefusedLate(stage);
+    metrics_.Refused(stage, true);
   }
   for (const Stage stage : kAllStages) {
     const std::string label = absl::StrCat("{stage=\"", std::string(StageName(stage)), "\"} ");
