@@ -4,9 +4,7 @@
 
 #include <array>
 #include <new>
-#include <string_view>
 #include <unordered_map>
-#include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/mesh_file.h"

@@ -1,7 +1,6 @@
 #include "client/area_rim.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "common/mesh/segment_distance.h"

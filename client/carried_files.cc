@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
-#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/mtl.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <utility>
-#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/face_looks.h"
@@ -12,7 +11,6 @@
 #include "common/codec/ply_colours.h"
 #include "common/codec/tree/tile_tree.h"
 #include "common/util/status_macros.h"
-#include "common/util/tile_files.h"
 #include "worker/materials/tile_look.h"
 
 namespace tilemend {

@@ -2,9 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <functional>
 #include <map>
-#include <optional>
 #include <string_view>
 #include <system_error>
 #include <utility>

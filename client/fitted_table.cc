@@ -1,7 +1,6 @@
 #include "client/fitted_table.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string_view>
 
 #include "absl/strings/str_cat.h"

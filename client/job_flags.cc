@@ -1,12 +1,10 @@
 #include "client/job_flags.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <system_error>
 
 #include "absl/strings/str_cat.h"
-#include "common/options/job_options.h"
 #include "common/util/status_macros.h"
 #include "coordinator/report/water_choice.h"
 

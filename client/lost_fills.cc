@@ -1,7 +1,5 @@
 #include "client/lost_fills.h"
 
-#include <algorithm>
-
 #include "client/rounded_place.h"
 
 namespace tilemend {

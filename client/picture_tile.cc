@@ -9,7 +9,6 @@
 #include "common/codec/ply_colours.h"
 #include "common/codec/tree/tile_tree.h"
 #include "common/util/status_macros.h"
-#include "common/util/tile_files.h"
 #include "worker/materials/tile_look.h"
 
 namespace tilemend {

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <iterator>
 #include <memory>
-#include <utility>
 
 #include "common/assemble/clear_tile.h"
 #include "common/codec/face_edits.h"

@@ -2,14 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <map>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
-#include <vector>
 
 #include "common/assemble/finest_patch.h"
 #include "common/assemble/level_outline.h"

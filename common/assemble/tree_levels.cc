@@ -8,7 +8,6 @@
 #include <set>
 #include <unordered_map>
 #include <utility>
-#include <vector>
 
 #include "absl/strings/str_format.h"
 #include "common/assemble/fill_level.h"

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 
 #include "absl/strings/str_cat.h"
 #include "common/util/status_macros.h"

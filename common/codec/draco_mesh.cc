@@ -6,7 +6,6 @@
 #include <limits>
 #include <memory>
 #include <new>
-#include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/draco_frame.h"

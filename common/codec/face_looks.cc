@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <span>
 
 #include "absl/hash/hash.h"
 #include "common/codec/ply.h"

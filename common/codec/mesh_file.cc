@@ -10,7 +10,6 @@
 #include "common/codec/tree/tile_tree.h"
 #include "common/codec/tree_mesh.h"
 #include "common/util/status_macros.h"
-#include "common/util/tile_files.h"
 
 namespace tilemend {
 

@@ -1,19 +1,15 @@
 #include "common/codec/obj.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <map>
-#include <optional>
 #include <utility>
-#include <vector>
 
 #include "absl/hash/hash.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
-#include "common/codec/polygons.h"
 #include "common/codec/text.h"
 #include "common/util/status_macros.h"
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
-#include "common/codec/polygons.h"
 #include "common/codec/text.h"
 #include "common/util/status_macros.h"
 

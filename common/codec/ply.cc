@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/ply_source.h"
-#include "common/codec/polygons.h"
 #include "common/codec/text.h"
 #include "common/util/status_macros.h"
 

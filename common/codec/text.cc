@@ -1,7 +1,6 @@
 #include "common/codec/text.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "absl/strings/str_cat.h"
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <string>
 #include <tuple>
 
 #include "absl/status/status.h"
@@ -15,7 +14,6 @@
 #include "common/util/object_store.h"
 #include "common/util/real_path.h"
 #include "common/util/status_macros.h"
-#include "common/util/tile_files.h"
 
 namespace tilemend {
 

@@ -11,7 +11,6 @@
 #include <cstring>
 #include <mutex>
 #include <semaphore>
-#include <string_view>
 #include <thread>
 
 #include "absl/strings/ascii.h"

@@ -1,7 +1,6 @@
 #include "common/mesh/edge_loops.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace tilemend {
 namespace {

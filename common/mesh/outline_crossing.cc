@@ -1,7 +1,6 @@
 #include "common/mesh/outline_crossing.h"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <vector>
 

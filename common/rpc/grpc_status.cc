@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "common/rpc/status_proto.h"
 #include "common/util/error_info.h"

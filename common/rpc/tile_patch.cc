@@ -1,6 +1,5 @@
 #include "common/rpc/tile_patch.h"
 
-#include <cstdint>
 #include <filesystem>
 #include <utility>
 

@@ -1,7 +1,6 @@
 #include "common/s3/s3_answers.h"
 
 #include <pugixml.hpp>
-#include <string_view>
 
 #include "absl/strings/strip.h"
 

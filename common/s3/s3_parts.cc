@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <map>
-#include <utility>
 #include <vector>
 
 #include "absl/strings/escaping.h"

@@ -7,7 +7,6 @@
 #include <xxhash.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 
 #include "absl/strings/escaping.h"

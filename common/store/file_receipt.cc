@@ -4,7 +4,6 @@
 #include <sys/stat.h>
 
 #include <cerrno>
-#include <string>
 #include <utility>
 
 #include "absl/strings/str_cat.h"

@@ -1,6 +1,5 @@
 #include "common/store/fingerprint.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <system_error>
 

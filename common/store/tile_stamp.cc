@@ -7,7 +7,6 @@
 #include "common/store/file_stamp.h"
 #include "common/store/fingerprint.h"
 #include "common/util/status_macros.h"
-#include "common/util/tile_files.h"
 
 namespace tilemend {
 

@@ -1,7 +1,6 @@
 #include "common/util/file_pack.h"
 
 #include <cstdint>
-#include <cstring>
 
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"

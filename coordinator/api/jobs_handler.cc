@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <set>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "absl/strings/numbers.h"
 #include "absl/strings/str_cat.h"

@@ -1,7 +1,6 @@
 #include "coordinator/api/long_calls.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "common/util/error_info.h"

@@ -1,7 +1,6 @@
 #include "coordinator/api/watch_handler.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "common/rpc/limits.h"
 #include "common/util/status_macros.h"

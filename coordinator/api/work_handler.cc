@@ -3,13 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
-#include <map>
-#include <memory>
 #include <optional>
-#include <random>
-#include <set>
 #include <thread>
 #include <utility>
 
@@ -21,7 +16,6 @@
 #include "common/util/version.h"
 #include "coordinator/api/task_ref.h"
 #include "coordinator/state/task_choice.h"
-#include "coordinator/store/blob_folder.h"
 
 namespace tilemend {
 namespace {

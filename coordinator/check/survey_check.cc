@@ -1,11 +1,8 @@
 #include "coordinator/check/survey_check.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <iterator>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include "common/util/tile_files.h"

@@ -2,7 +2,6 @@
 #ifndef TILEMEND_COORDINATOR_JOBS_DELIVERY_CHECK_H_
 #define TILEMEND_COORDINATOR_JOBS_DELIVERY_CHECK_H_
 
-#include <string>
 #include <string_view>
 
 #include "absl/status/status.h"

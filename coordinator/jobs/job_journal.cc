@@ -1,8 +1,6 @@
 #include "coordinator/jobs/job_journal.h"
 
-#include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <utility>
 
 #include "absl/strings/str_cat.h"

@@ -6,7 +6,6 @@
 #include <memory>
 #include <random>
 #include <system_error>
-#include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"

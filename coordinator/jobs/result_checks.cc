@@ -1,12 +1,10 @@
 #include "coordinator/jobs/result_checks.h"
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/mesh_file.h"
@@ -30,7 +28,6 @@
 #include "coordinator/jobs/assemble_check.h"
 #include "coordinator/jobs/checked_files.h"
 #include "coordinator/jobs/smooth_check.h"
-#include "coordinator/jobs/stage_output.h"
 #include "coordinator/jobs/wrong_result.h"
 #include "coordinator/report/tile_checks.h"
 #include "tilemend/v1/stages.pb.h"

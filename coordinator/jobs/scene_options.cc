@@ -1,6 +1,5 @@
 #include "coordinator/jobs/scene_options.h"
 
-#include <string>
 #include <utility>
 
 #include "common/options/job_options.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "absl/strings/str_cat.h"
-#include "coordinator/plan/types/left_reasons.h"
 #include "coordinator/report/json_access.h"
 
 namespace tilemend {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "coordinator/report/json_access.h"

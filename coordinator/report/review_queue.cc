@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <utility>
 
 #include "coordinator/report/hole_evidence.h"
 #include "coordinator/report/rounded.h"

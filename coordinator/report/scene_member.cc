@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <iterator>
-#include <string>
 #include <system_error>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "coordinator/report/shallow_json.h"
 
 #include <cstddef>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "coordinator/state/task_choice.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 namespace tilemend {

@@ -5,14 +5,11 @@
 
 #include <array>
 #include <cerrno>
-#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
 #include <tuple>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "common/util/place.h"

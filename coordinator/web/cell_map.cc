@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "common/util/error_info.h"
@@ -90,7 +89,8 @@ absl::StatusOr<std::string> CellMapJson(const JobCells& job, const SceneSight* s
               {"row", frame.empty() ? 0 : frame.r0},
               {"columns", frame.columns()},
               {"rows", frame.rows()}};
-  if (sight != nullptr && sight->cell_size().x() > 0) map["cellSize"] = {sight->cell_size().x(), sight->cell_size().y()};
+  if (sight != nullptr && sight->cell_size().x() > 0)
+    map["cellSize"] = {sight->cell_size().x(), sight->cell_size().y()};
   map["hasTiles"] = sight != nullptr;
   map["isRemembered"] = IsRemembered(job);
   map["cells"] = LettersOf(job, sight, frame);

@@ -2,11 +2,9 @@
 
 #include <google/protobuf/util/json_util.h>
 
-#include <cstdint>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <utility>
 
 #include "absl/strings/match.h"
 #include "absl/strings/numbers.h"

@@ -3,8 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <map>
 #include <span>
 #include <tuple>
 #include <utility>

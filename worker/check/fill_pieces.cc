@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <utility>
 
 #include "common/mesh/disjoint_sets.h"
 #include "common/mesh/edge_key.h"

@@ -1,8 +1,6 @@
 #include "worker/ground/ground_filter.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 #include "worker/ground/disk_opening.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "common/image/image.h"

@@ -4,7 +4,6 @@
 #include "absl/strings/str_cat.h"
 #include "common/store/digest.h"
 #include "common/store/fingerprint.h"
-#include "common/util/files.h"
 #include "common/util/status_macros.h"
 #include "common/util/text.h"
 

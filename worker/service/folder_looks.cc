@@ -1,7 +1,6 @@
 #include "worker/service/folder_looks.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace tilemend {
 

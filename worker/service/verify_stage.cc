@@ -10,7 +10,6 @@
 #include "common/store/fingerprint.h"
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
-#include "tilemend/v1/verify.pb.h"
 #include "worker/service/tile_reading.h"
 
 namespace tilemend {

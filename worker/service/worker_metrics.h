@@ -3,7 +3,6 @@
 #define TILEMEND_WORKER_SERVICE_WORKER_METRICS_H_
 
 #include <array>
-#include <cstddef>
 
 #include "common/metrics/metrics.h"
 #include "common/util/stage.h"

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 #include "common/mesh/edge_key.h"
 #include "common/mesh/position_index.h"

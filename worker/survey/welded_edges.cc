@@ -1,6 +1,5 @@
 #include "worker/survey/welded_edges.h"
 
-#include <cstdlib>
 #include <iterator>
 #include <map>
 #include <set>

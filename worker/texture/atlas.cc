@@ -1,7 +1,6 @@
 #include "worker/texture/atlas.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>

@@ -1,7 +1,6 @@
 #include "worker/texture/fill_parts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <compare>
 #include <map>

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-
-#include "worker/texture/square_lattice.h"
 
 namespace tilemend {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "worker/texture/base_colours.h"
 #include "worker/texture/grain.h"

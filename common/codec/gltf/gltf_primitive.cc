@@ -1,7 +1,6 @@
 #include "common/codec/gltf/gltf_primitive.h"
 
 #include <string>
-#include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "common/util/status_macros.h"

@@ -1,6 +1,5 @@
 // AppendOsgb and DropOsgbTriangles.
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numeric>

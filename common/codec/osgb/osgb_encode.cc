@@ -1,10 +1,7 @@
 #include "common/codec/osgb/osgb_encode.h"
 
 #include <array>
-#include <initializer_list>
-#include <span>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "common/codec/osgb/osgb_encoder.h"

@@ -1,7 +1,6 @@
 #include "common/codec/osgb/osgb_new.h"
 
 #include <cstdint>
-#include <limits>
 #include <string_view>
 
 #include "absl/strings/str_cat.h"

@@ -1,7 +1,6 @@
 #include "common/codec/osgb/osgb_splice.h"
 
 #include <limits>
-#include <utility>
 
 #include "absl/strings/str_cat.h"
 

@@ -1,7 +1,6 @@
 #include "common/codec/tiles3d/content_uri.h"
 
 #include <optional>
-#include <vector>
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"

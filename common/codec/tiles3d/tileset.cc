@@ -5,7 +5,6 @@
 #include <cctype>
 #include <iterator>
 #include <set>
-#include <string_view>
 
 #include "absl/strings/str_cat.h"
 #include "common/codec/gltf/json_view.h"

@@ -1,7 +1,6 @@
 #include "common/codec/tree/tile_tree.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 

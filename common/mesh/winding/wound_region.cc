@@ -8,7 +8,6 @@
 #include <map>
 #include <polyclipping/clipper.hpp>
 #include <set>
-#include <unordered_map>
 #include <utility>
 
 #include "common/mesh/bin_grid.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <set>
-#include <string>
 #include <unordered_map>
 #include <utility>
 

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <tuple>
-#include <utility>
 
 #include "common/mesh/vertex_lists.h"
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <utility>
 
 #include "coordinator/plan/rim/shallow_runs.h"
 

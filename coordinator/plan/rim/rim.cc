@@ -7,7 +7,6 @@
 #include <numbers>
 #include <numeric>
 #include <unordered_map>
-#include <utility>
 
 #include "common/mesh/disjoint_sets.h"
 #include "common/mesh/edge_loops.h"

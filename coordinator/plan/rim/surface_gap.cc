@@ -3,9 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
-#include <vector>
 
 #include "common/mesh/segment_distance.h"
 #include "coordinator/plan/rim/border_audit.h"

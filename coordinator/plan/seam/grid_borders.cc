@@ -1,7 +1,5 @@
 #include "coordinator/plan/seam/grid_borders.h"
 
-#include <algorithm>
-
 namespace tilemend {
 
 double LineOf(const Border& border, const std::set<CellId>& area, const GridLines& lines) {

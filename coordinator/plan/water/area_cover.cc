@@ -5,8 +5,6 @@
 #include <limits>
 #include <map>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 #include "coordinator/plan/water/line_intervals.h"
 

@@ -1,7 +1,6 @@
 #include "coordinator/plan/water/given_water.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 

@@ -1,7 +1,6 @@
 #include "coordinator/plan/water/hole_groups.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <map>
 

@@ -8,7 +8,6 @@
 #include <optional>
 #include <set>
 #include <span>
-#include <utility>
 
 #include "common/mesh/disjoint_sets.h"
 #include "common/mesh/weighted_median.h"

@@ -1,7 +1,6 @@
 #include "coordinator/plan/water/known_water.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <set>
 #include <utility>

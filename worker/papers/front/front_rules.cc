@@ -1,7 +1,6 @@
 #include "worker/papers/front/front_rules.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <limits>
 #include <map>
-#include <utility>
 
 #include "worker/papers/front/cotangent_system.h"
 

@@ -1,7 +1,6 @@
 #include "worker/papers/wang/minimum_area.h"
 
 #include <limits>
-#include <utility>
 
 #include "common/mesh/triangle_shape.h"
 #include "worker/fill/mesh/span_triangulation.h"
