@@ -54,13 +54,6 @@ constexpr std::optional<Filler> FillerNamed(std::string_view name) {
   return std::nullopt;
 }
 
-// All of them, for people.
-inline std::string FillerNames() {
-  std::string names;
-  for (const Filler filler : kFillers) names += (names.empty() ? "" : ", ") + std::string(FillerName(filler));
-  return names;
-}
-
 // Those that share the advancing front.
 inline constexpr std::array kFrontFillers = {Filler::kAdvancingFrontNormal, Filler::kAdvancingFrontCurvature,
                                              Filler::kAdvancingFrontPoisson, Filler::kSvmLaplacian};
@@ -89,8 +82,6 @@ constexpr std::optional<FrontSteps> FrontStepsNamed(std::string_view name) {
   }
   return std::nullopt;
 }
-
-inline constexpr char kFrontStepsNames[] = "steady or printed";
 
 // What is learnt as the Laplacian of a vertex (Xu 2014).
 enum class LaplacianScale : uint8_t {

@@ -157,12 +157,6 @@ bool LevelEvidence::is_within_noise() const { return dry_difference < kSigmas * 
 
 bool LevelEvidence::is_level() const { return is_enough() && (agrees() || is_within_noise()); }
 
-std::vector<WeightedHeight> HeightsOf(std::span<const RimChain> chains) {
-  std::vector<WeightedHeight> heights;
-  for (const RoughEdge& e : RoughEdgesOf(chains)) heights.push_back(e.height());
-  return heights;
-}
-
 LevelEvidence EvidenceOf(std::span<const RimChain> chains, std::span<const PlaneSegment> outline) {
   const std::vector<RoughEdge> edges = RoughEdgesOf(chains);
   const WindowedRim rim(edges);

@@ -61,9 +61,6 @@ struct LevelEvidence {
 // Cost: O(n * edges + edges log edges), n at most about 130, and MeanOffLevel's. Deterministic.
 LevelEvidence EvidenceOf(std::span<const RimChain> chains, std::span<const PlaneSegment> outline);
 
-// The edges as heights with weights, sorted. Cost O(n log n).
-std::vector<WeightedHeight> HeightsOf(std::span<const RimChain> chains);
-
 }  // namespace tilemend
 
 #endif  // TILEMEND_COORDINATOR_PLAN_WATER_LEVEL_EVIDENCE_H_
