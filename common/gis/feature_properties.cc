@@ -17,6 +17,7 @@ namespace {
 constexpr size_t kMostOfName = 100;        // columns
 constexpr double kMostHeight = 1e5;        // metres
 constexpr double kMostClearHeight = 1000;  // metres
+constexpr double kMostSigma = 1000;        // metres
 // The last three: no-break, thin and narrow no-break space, which editors put between a number and its unit.
 constexpr std::array<std::string_view, 7> kBlanks = {" ", "\t", "\r", "\n", "\xC2\xA0", "\xE2\x80\x89", "\xE2\x80\xAF"};
 
@@ -124,8 +125,9 @@ void SetFound(const OGRFeature& feature, VectorFeature& to) {
     const int index = FieldOf(feature, property);
     return index < 0 ? std::string() : WordOf(feature, index);
   };
+  const std::optional<double> sigma = number(kSigmaProperty);
   const bool is_estimate = to.level && to.level == number(kEstimateProperty);
-  if (is_estimate) to.level_sigma = number(kSigmaProperty);
+  if (is_estimate && sigma && *sigma >= 0 && *sigma <= kMostSigma) to.level_sigma = sigma;
   const std::string found = word(kTakenForProperty);  // small holes of a body have none
   to.is_as_found = word(kDecidedByProperty) == kByRim && (found.empty() || word(kKindProperty) == found) &&
                    (to.level_sigma || (to.kind == WaterKind::kRiver && !to.level));

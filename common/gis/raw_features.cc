@@ -89,9 +89,10 @@ class Layer {
 
 // Features of one body that say the same become the first of them.
 void UniteBodies(std::vector<VectorFeature>& features) {
-  using Said = std::tuple<int64_t, bool, std::optional<double>, WaterKind, bool, std::optional<double>, ReviewDecision>;
+  using Metres = std::optional<double>;
+  using Said = std::tuple<int64_t, bool, Metres, WaterKind, bool, Metres, ReviewDecision, Metres, bool>;
   const auto said = [](const VectorFeature& f) {
-    return Said(*f.body, f.water, f.level, f.kind, f.clear, f.clear_height, f.decision);
+    return Said(*f.body, f.water, f.level, f.kind, f.clear, f.clear_height, f.decision, f.level_sigma, f.is_as_found);
   };
   std::map<Said, std::vector<VectorFeature>> bodies;
   for (VectorFeature& f : features) {

@@ -98,12 +98,14 @@ class PipelineRuns {
   absl::StatusOr<JobOutcome> RunToTheEnd(std::unique_ptr<JobPipeline>& pipeline) {
     while (true) {
       absl::StatusOr<JobOutcome> outcome = Run(pipeline);
-      const absl::StatusOr<bool> again = PrepareToBeginAgain(pipeline);
-      if (again.ok() && *again) continue;
-      const JobInbox::End end = inbox_.Close(again.ok());
-      if (end == JobInbox::End::kBeginsAgain) continue;  // told since it was looked
+      absl::StatusOr<bool> again = PrepareToBeginAgain(pipeline);
+      JobInbox::End end = JobInbox::End::kBeginsAgain;
+      while (!(again.ok() && *again) && end == JobInbox::End::kBeginsAgain) {
+        end = inbox_.Close(again.ok());
+        if (end == JobInbox::End::kBeginsAgain) again = PrepareToBeginAgain(pipeline);  // told since it was looked
+      }
       if (end == JobInbox::End::kCancelled) return absl::CancelledError("the job was cancelled");
-      return again.ok() ? std::move(outcome) : again.status();
+      if (end == JobInbox::End::kDone) return again.ok() ? std::move(outcome) : again.status();
     }
   }
 

@@ -161,13 +161,16 @@ void AddWater(const Plan& plan, const PlannedHole& hole, double origin, Json& ro
     const HoleEvidence& evidence = plan.evidence[hole.evidence];
     row["taken_for"] = VerdictName(evidence.verdict);
     row["because"] = evidence.reason;
-    if (evidence.has_level && evidence.sigma) row["sigma_m"] = Millimetres(*evidence.sigma);
+    if (evidence.has_level && evidence.sigma) row[kSigmaProperty] = Millimetres(*evidence.sigma);
     if (evidence.area >= 0) AddAnswer(plan.water_answers[evidence.area], row);
   }
   if (hole.water < 0) return;
   const WaterBody& body = plan.water[hole.water];
   if (body.river.stations.empty()) row[kLevelProperty] = body.level + origin;  // exact: it can be given back
-  if (!body.level_is_given) row[kEstimateProperty] = row[kLevelProperty];
+  if (!body.level_is_given) {
+    row[kEstimateProperty] = row[kLevelProperty];
+    row[kSigmaProperty] = Millimetres(body.sigma);
+  }
   row[kDecidedByProperty] = body.forced ? kByArea : kByRim;
   if (body.kind != BodyKind::kWater) return;
   row["water"] = true;

@@ -56,7 +56,8 @@ bool LinkBlobs(const std::string& folder, const std::set<std::string>& digests, 
   std::set<std::string> parents = {other};
   for (const std::string& digest : digests) {
     const auto from = PathOf(folder, digest), to = PathOf(other, digest);
-    if (!from.ok() || !std::filesystem::exists(*from)) continue;  // lost, and so made again
+    std::error_code error;
+    if (!from.ok() || !std::filesystem::exists(*from, error)) continue;  // lost, and so made again
     const std::string parent = std::filesystem::path(*to).parent_path().string();
     if (parents.insert(parent).second && ::mkdir(parent.c_str(), 0700) != 0) return false;
     if (::link(from->c_str(), to->c_str()) != 0) return false;

@@ -94,7 +94,7 @@ class RunJoiner {
   }
 
   void Exchange(size_t closed, size_t street) {
-    const bool is_open = gaps_[street].open;
+    const bool is_open = gaps_[street].open || gaps_[closed].open;
     const auto [link, way] = Exchanged(ways_[closed], ways_[street]);
     std::swap(gaps_[closed].to_across, gaps_[street].to_across);
     for (const Way& w : {link, way}) {

@@ -174,8 +174,9 @@ TEST_F(SceneGeoJsonTest, HolesCanBeGivenBackAsWater) {
 
 // Who gives the file back as it was written gives no level.
 TEST_F(SceneGeoJsonTest, ALevelThatNobodyChangedStaysAnEstimate) {
-  plan_.holes[0].evidence = plan_.holes[1].evidence = 0;
+  plan_.holes[1].evidence = 0;  // the other is too small for one
   plan_.evidence = {{HoleEvidence::Verdict::kLake, true, 12.5, 0.04, "the sides agree"}};
+  plan_.water[0].sigma = 0.04;
   const auto given = [&](const std::string& from, const std::string& to) {
     std::string text = HolesGeoJson(input_, scene_);
     text = absl::StrReplaceAll(text, {{from, to}});
@@ -191,6 +192,7 @@ TEST_F(SceneGeoJsonTest, ALevelThatNobodyChangedStaysAnEstimate) {
   EXPECT_EQ(other.level, 12.75);
   EXPECT_EQ(other.level_sigma, std::nullopt);
   EXPECT_FALSE(other.is_as_found);
+  EXPECT_EQ(given(R"("sigma_m":0.04)", R"("sigma_m":-1.5)").level_sigma, std::nullopt);
   const WaterArea river = given(R"("kind":"lake","level_m":412.5)", R"("kind":"river","level_m":null)");
   EXPECT_EQ(river.level, std::nullopt);
   EXPECT_FALSE(river.is_as_found);
