@@ -128,8 +128,7 @@ void SetFound(const OGRFeature& feature, VectorFeature& to) {
   const std::optional<double> sigma = number(kSigmaProperty);
   const bool is_estimate = to.level && to.level == number(kEstimateProperty);
   if (is_estimate && sigma && *sigma >= 0 && *sigma <= kMostSigma) to.level_sigma = sigma;
-  const std::string found = word(kTakenForProperty);  // small holes of a body have none
-  to.is_as_found = word(kDecidedByProperty) == kByRim && (found.empty() || word(kKindProperty) == found) &&
+  to.is_as_found = word(kDecidedByProperty) == kByRim && word(kKindProperty) == word(kTakenForProperty) &&
                    (to.level_sigma || (to.kind == WaterKind::kRiver && !to.level));
 }
 

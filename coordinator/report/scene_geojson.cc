@@ -159,7 +159,7 @@ void AddAnswer(const WaterAnswer& answer, Json& row) {
 void AddWater(const Plan& plan, const PlannedHole& hole, double origin, Json& row) {
   if (hole.evidence >= 0) {
     const HoleEvidence& evidence = plan.evidence[hole.evidence];
-    row["taken_for"] = VerdictName(evidence.verdict);
+    row[kTakenForProperty] = VerdictName(evidence.verdict);
     row["because"] = evidence.reason;
     if (evidence.has_level && evidence.sigma) row[kSigmaProperty] = Millimetres(*evidence.sigma);
     if (evidence.area >= 0) AddAnswer(plan.water_answers[evidence.area], row);
@@ -175,6 +175,7 @@ void AddWater(const Plan& plan, const PlannedHole& hole, double origin, Json& ro
   if (body.kind != BodyKind::kWater) return;
   row["water"] = true;
   row["kind"] = KindOf(body);
+  if (hole.evidence < 0) row[kTakenForProperty] = KindOf(body);  // a small one beside others
   row["body"] = hole.water;
 }
 
@@ -200,7 +201,7 @@ Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h
               {kDecidedByProperty, nullptr},
               {"clear", nullptr},
               {"clear_height", nullptr},
-              {"taken_for", nullptr},
+              {kTakenForProperty, nullptr},
               {"because", nullptr},
               {"body", nullptr},
               {"decision", nullptr},

@@ -107,13 +107,15 @@ TEST_F(SceneGeoJsonTest, GdalReadsTheHolesInTheCrsOfTheScene) {
 TEST_F(SceneGeoJsonTest, SaysWhatAHoleWasTakenForAndWhy) {
   plan_.holes[0].evidence = 0;
   plan_.evidence = {{HoleEvidence::Verdict::kLake, true, 12.5, 0.04, "the sides agree"}};
+  plan_.water[0].sigma = 0.04;
   const auto data = Read(HolesGeoJson(input_, scene_));
   const std::unique_ptr<OGRFeature> lake(data->GetLayer(0)->GetNextFeature()),
       beyond(data->GetLayer(0)->GetNextFeature());
   EXPECT_STREQ(lake->GetFieldAsString("taken_for"), "lake");
   EXPECT_STREQ(lake->GetFieldAsString("because"), "the sides agree");
   EXPECT_EQ(lake->GetFieldAsDouble("sigma_m"), 0.04);
-  EXPECT_FALSE(beyond->IsFieldSetAndNotNull(beyond->GetFieldIndex("taken_for")));
+  EXPECT_STREQ(beyond->GetFieldAsString("taken_for"), "lake") << "a part of it";
+  EXPECT_FALSE(beyond->IsFieldSetAndNotNull(beyond->GetFieldIndex("because")));
 }
 
 TEST_F(SceneGeoJsonTest, LevelGroundHasNoShore) {
