@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "absl/strings/str_cat.h"
-#include "common/metrics/prometheus_registry.h"
+#include "tests/support/known_jobs.h"
 #include "tests/support/list_log.h"
 
 namespace tilemend {
@@ -17,32 +16,17 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-const absl::Time kStart = absl::FromUnixSeconds(1000);
-
-class ClusterEventsTest : public ::testing::Test {
+class ClusterEventsTest : public KnownJobsTest {
  protected:
-  void ExpectLine(const std::string& line) {
-    EXPECT_THAT(registry_.Text(), HasSubstr(absl::StrCat("tilemend_coordinator_", line, "\n")));
-  }
-  // A job that the state machine knows, with `tasks` tasks of two cells.
-  const Job& NewJob(const std::string& id, size_t tasks = 2) {
-    EXPECT_TRUE(state_.Apply(JobCreated{id, "", kStart}).ok());
-    EXPECT_TRUE(state_.Apply(JobProgressed{id, {"survey", 2, 0, 0, 0}}).ok());
-    EXPECT_TRUE(state_.Apply(TasksAdded{id, std::vector<TaskSpec>(tasks)}).ok());
-    return *state_.FindJob(id);
-  }
-
-  PrometheusRegistry registry_;
   ListLog log_;
   JobMetrics jobs_{registry_};
   ClusterEvents events_{registry_, jobs_, log_};
-  CoordinatorState state_;
 };
 
 TEST_F(ClusterEventsTest, SaysAndCountsHowAJobEnded) {
   const Job& job = NewJob("j");
   ASSERT_TRUE(state_.Apply(JobProgressed{"j", {"assemble", 2, 2, 5, 4, 300}}).ok());
-  ASSERT_TRUE(state_.Apply(JobFinished{"j", JobState::kPartial, kStart + absl::Seconds(90)}).ok());
+  ASSERT_TRUE(state_.Apply(JobFinished{"j", JobState::kPartial, start_ + absl::Seconds(90)}).ok());
   events_.JobEnded(job, {true, "4 of 5 holes filled", ""}, absl::OkStatus(), {"ann", "t1"});
   EXPECT_THAT(log_.lines(),
               ElementsAre(StartsWith("info job ended job=j trace=t1 owner=ann state=partial seconds=90 ")));
@@ -56,16 +40,16 @@ TEST_F(ClusterEventsTest, SaysAndCountsHowAJobEnded) {
 
 TEST_F(ClusterEventsTest, MeasuresHowLongAJobWaitedForItsFirstTask) {
   Job job = NewJob("j");
-  job.started = kStart + absl::Seconds(7);
+  job.started = start_ + absl::Seconds(7);
   events_.JobStarted(job, {});
   ExpectLine("job_queue_seconds_sum 7");
   EXPECT_THAT(log_.lines(), ElementsAre("info job started job=j queue_seconds=7\n"));
 }
 
 TEST_F(ClusterEventsTest, TellsOfWorkers) {
-  const WorkerRecord worker{"w", 4, 0, false, kStart, {{"j", 1}}};
+  const WorkerRecord worker{"w", 4, 0, false, start_, {{"j", 1}}};
   events_.WorkerCame(worker, "0.1.0", "node7");
-  events_.WorkerLost(worker, kStart + absl::Seconds(31));
+  events_.WorkerLost(worker, start_ + absl::Seconds(31));
   events_.WorkerLeft("v");
   events_.WorkerSuspected("u", "its result was wrong");
   events_.WorkerCleared("t");
@@ -83,7 +67,7 @@ TEST_F(ClusterEventsTest, TellsOfWorkers) {
 TEST_F(ClusterEventsTest, OneOfManyRefusedWorkersHasALine) {
   const absl::Status reason = absl::FailedPreconditionError("worker w speaks protocol 1");
   for (const int seconds : {0, 2, 9, 10}) {
-    events_.WorkerRefused(absl::StrCat("w", seconds), "0.0.9", reason, kStart + absl::Seconds(seconds));
+    events_.WorkerRefused(absl::StrCat("w", seconds), "0.0.9", reason, start_ + absl::Seconds(seconds));
   }
   EXPECT_THAT(
       log_.lines(),

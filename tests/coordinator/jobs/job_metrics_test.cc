@@ -9,37 +9,21 @@
 #include <string>
 #include <vector>
 
-#include "absl/strings/str_cat.h"
-#include "common/metrics/prometheus_registry.h"
+#include "tests/support/known_jobs.h"
 
 namespace tilemend {
 namespace {
 
 using ::testing::HasSubstr;
 
-const absl::Time kStart = absl::FromUnixSeconds(1000);
-
-class JobMetricsTest : public ::testing::Test {
+class JobMetricsTest : public KnownJobsTest {
  protected:
-  void ExpectLine(const std::string& line) {
-    EXPECT_THAT(registry_.Text(), HasSubstr(absl::StrCat("tilemend_coordinator_", line, "\n")));
-  }
-  // A job that the state machine knows, with `tasks` tasks of two cells.
-  const Job& NewJob(const std::string& id, size_t tasks = 2) {
-    EXPECT_TRUE(state_.Apply(JobCreated{id, "", kStart}).ok());
-    EXPECT_TRUE(state_.Apply(JobProgressed{id, {"survey", 2, 0, 0, 0}}).ok());
-    EXPECT_TRUE(state_.Apply(TasksAdded{id, std::vector<TaskSpec>(tasks)}).ok());
-    return *state_.FindJob(id);
-  }
-
-  PrometheusRegistry registry_;
   JobMetrics metrics_{registry_};
-  CoordinatorState state_;
 };
 
 TEST_F(JobMetricsTest, CountsJobsOfEarlierProcesses) {
   const Job& job = NewJob("j");
-  ASSERT_TRUE(state_.Apply(JobFinished{"j", JobState::kFailed, kStart + absl::Seconds(9)}).ok());
+  ASSERT_TRUE(state_.Apply(JobFinished{"j", JobState::kFailed, start_ + absl::Seconds(9)}).ok());
   metrics_.Remembered(job);
   ExpectLine("jobs_ended_total{state=\"failed\"} 1");
 }
@@ -53,14 +37,14 @@ TEST_F(JobMetricsTest, GivesEachRunningJobASlotForItsTime) {
   NewJob("a");
   NewJob("b");
   EXPECT_EQ(metrics_.SlotOf("a"), 0);
-  metrics_.Show(state_, kStart + absl::Seconds(5));
+  metrics_.Show(state_, start_ + absl::Seconds(5));
   EXPECT_EQ(metrics_.SlotOf("a"), 1);
   EXPECT_EQ(metrics_.SlotOf("b"), 2);
   ExpectLine("running_job_done_ratio{slot=\"2\"} 0");
   ExpectLine("running_job_age_seconds{slot=\"1\"} 5");
-  ASSERT_TRUE(state_.Apply(JobCancelled{"a", kStart}).ok());
+  ASSERT_TRUE(state_.Apply(JobCancelled{"a", start_}).ok());
   NewJob("c");
-  metrics_.Show(state_, kStart + absl::Seconds(6));
+  metrics_.Show(state_, start_ + absl::Seconds(6));
   EXPECT_EQ(metrics_.SlotOf("a"), 0);
   EXPECT_EQ(metrics_.SlotOf("b"), 2);  // keeps it
   EXPECT_EQ(metrics_.SlotOf("c"), 1);
@@ -69,7 +53,7 @@ TEST_F(JobMetricsTest, GivesEachRunningJobASlotForItsTime) {
 
 TEST_F(JobMetricsTest, HasNoMoreSlotsThanItSays) {
   for (size_t i = 0; i < JobMetrics::kSlots + 1; ++i) NewJob(absl::StrCat("job", i));
-  metrics_.Show(state_, kStart);
+  metrics_.Show(state_, start_);
   EXPECT_EQ(metrics_.SlotOf(absl::StrCat("job", JobMetrics::kSlots)), 0);
 }
 
@@ -77,7 +61,7 @@ TEST_F(JobMetricsTest, CountsHolesOnceThoughAJobTellsThemAgain) {
   NewJob("j");
   for (const int64_t filled : {3, 1, 5}) {
     ASSERT_TRUE(state_.Apply(JobProgressed{"j", {"fill", 2, 0, 9, filled}}).ok());
-    metrics_.Show(state_, kStart);
+    metrics_.Show(state_, start_);
   }
   ExpectLine("holes_filled_total 5");
 }

@@ -30,6 +30,14 @@ double ShareAround(const HeightFunction& height, double noise = 0.1) {
   return GroundAroundShores(Plan(), scene.Input(), std::vector<Shore>{shore})[0].low;
 }
 
+// Ten edges along y = 0, at a height of 5.
+Shore StraightShore() {
+  Shore shore;
+  shore.mean_edge = 1;
+  for (double k = 0.5; k < 10; ++k) shore.edges.emplace_back(k, 0, 5);
+  return shore;
+}
+
 // The record of a tile there without a band.
 StoredRecord SomewhereAt(double x, double y) {
   SurveyRecord record;
@@ -100,9 +108,7 @@ TEST(GroundAroundShoresTest, LongEdgesAskForMoreThanSquares) {
 
 // Lidar has a vertex in each square metre: bands of two rings of triangles tell of no street behind a house.
 TEST(GroundAroundShoresTest, GroundBeyondTheBandsCounts) {
-  Shore shore;
-  shore.mean_edge = 1;
-  for (double k = 0.5; k < 10; ++k) shore.edges.emplace_back(k, 0, 5);
+  Shore shore = StraightShore();
   PlanInput input;
   input.cells[{0, 0}] = SomewhereAt(5, 0);
   RimGround& rim = input.rim_ground[{0, 0}];
@@ -123,10 +129,8 @@ TEST(GroundAroundShoresTest, GroundBeyondTheBandsCounts) {
 
 // A rim of crowns: the ground of the wood lies far below.
 TEST(GroundAroundShoresTest, GroundBelowTheRimIsSunk) {
-  Shore shore;
-  shore.mean_edge = 1;
+  Shore shore = StraightShore();
   shore.noise = 0.3;
-  for (double k = 0.5; k < 10; ++k) shore.edges.emplace_back(k, 0, 5);
   PlanInput input;
   input.cells[{0, 0}] = SomewhereAt(5, 0);
   RimGround& rim = input.rim_ground[{0, 0}];
