@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "common/mesh/rounding.h"
@@ -175,6 +176,13 @@ const SurveyRecord& NoTile() {
   return none;
 }
 
+// Takes out segments that are there both ways, as where a link runs back along an edge: nothing lies between.
+void DropDoubled(std::vector<RimSegment>& region) {
+  std::set<std::pair<int32_t, int32_t>> directed;
+  for (const RimSegment& s : region) directed.insert({s.from, s.to});
+  std::erase_if(region, [&](const RimSegment& s) { return directed.contains({s.to, s.from}); });
+}
+
 // The regions of one cell.
 class CellRegions {
  public:
@@ -216,10 +224,11 @@ class CellRegions {
       const bool is_at_outline = std::ranges::any_of(members.gaps, &OutlineGap::open);  // of the tile
       const bool is_ring = chains_.walk.all_open && !line.empty() && !is_at_outline;
       if (is_ring) AddRing(line, region);
-      const bool on_outline = is_ring || is_at_outline;
+      const bool on_outline = is_ring || is_at_outline, is_own = whole < region.size();
+      DropDoubled(region);
       if (!region.empty() && IsLostRegion(plan_, first.segments, region, on_outline)) {
         first.failure = kLost;
-      } else if (whole < region.size()) {
+      } else if (is_own) {
         first.own_regions = {std::move(region)};
       } else if (whole < first.segments.size()) {
         first.segments.clear();  // a sliver beside the line that no chain of the tile bounds
