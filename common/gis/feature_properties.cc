@@ -114,9 +114,12 @@ std::optional<int64_t> BodyOf(const OGRFeature& feature) {
   return FieldOf(feature, kHoleProperty) < 0 ? std::nullopt : WholeNumberOf(feature, kBodyProperty);
 }
 
-// Of a hole in holes.geojson: whether its level is the program's estimate, and whether all of its water is as found.
+// Of a hole in holes.geojson: its cluster, whether its level is the program's estimate, and whether all of its water is
+// as found.
 void SetFound(const OGRFeature& feature, VectorFeature& to) {
-  if (FieldOf(feature, kHoleProperty) < 0 || !to.water || to.clear) return;
+  if (FieldOf(feature, kHoleProperty) < 0) return;
+  to.cluster = WholeNumberOf(feature, kClusterProperty);
+  if (!to.water || to.clear) return;
   const auto number = [&](const char* property) {
     const int index = FieldOf(feature, property);
     return IsNumber(feature, index) ? std::optional(feature.GetFieldAsDouble(index)) : std::nullopt;

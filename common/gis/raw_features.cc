@@ -1,5 +1,6 @@
 #include "common/gis/raw_features.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -87,14 +88,34 @@ class Layer {
   LeftOut other_, dry_;
 };
 
+// What a feature says of its polygon.
+using Metres = std::optional<double>;
+using Saying = std::tuple<bool, Metres, WaterKind, bool, Metres, ReviewDecision, Metres, bool>;
+Saying SayingOf(const VectorFeature& f) {
+  return {f.water, f.level, f.kind, f.clear, f.clear_height, f.decision, f.level_sigma, f.is_as_found};
+}
+
+// In holes.geojson a hole over several cells has a row for each. Who changed some of them means the hole: the rows that
+// are as found say the same as the changed ones, unless these differ.
+void FollowChanges(std::vector<VectorFeature>& features) {
+  std::map<int64_t, std::vector<const VectorFeature*>> changed;
+  for (const VectorFeature& f : features) {
+    if (f.cluster && !f.is_as_found) changed[*f.cluster].push_back(&f);
+  }
+  for (VectorFeature& f : features) {
+    const auto of_cluster = f.cluster && f.is_as_found ? changed.find(*f.cluster) : changed.end();
+    if (of_cluster == changed.end()) continue;
+    const VectorFeature& first = *of_cluster->second.front();
+    const auto said = SayingOf(first);
+    if (!std::ranges::all_of(of_cluster->second, [&](const auto* other) { return SayingOf(*other) == said; })) continue;
+    std::tie(f.water, f.level, f.kind, f.clear, f.clear_height, f.decision, f.level_sigma, f.is_as_found) = said;
+  }
+}
+
 // Features of one body that say the same become the first of them.
 void UniteBodies(std::vector<VectorFeature>& features) {
-  using Metres = std::optional<double>;
-  using Said = std::tuple<int64_t, bool, Metres, WaterKind, bool, Metres, ReviewDecision, Metres, bool>;
-  const auto said = [](const VectorFeature& f) {
-    return Said(*f.body, f.water, f.level, f.kind, f.clear, f.clear_height, f.decision, f.level_sigma, f.is_as_found);
-  };
-  std::map<Said, std::vector<VectorFeature>> bodies;
+  const auto said = [](const VectorFeature& f) { return std::pair(*f.body, SayingOf(f)); };
+  std::map<std::pair<int64_t, Saying>, std::vector<VectorFeature>> bodies;
   for (VectorFeature& f : features) {
     if (f.body) bodies[said(f)].push_back(f);
   }
@@ -121,6 +142,7 @@ RawFeatures RawFeaturesOf(OGRLayer& layer, const std::string& prefix, const Laye
   Layer read(prefix, rules);
   for (const auto& feature : layer) read.Add(*feature);
   RawFeatures raw = std::move(read).Done();
+  if (rules.use == VectorUse::kWater) FollowChanges(raw.features);
   if (rules.use != VectorUse::kArea) UniteBodies(raw.features);
   return raw;
 }

@@ -36,6 +36,7 @@ struct VectorFeature {
   bool clear = false;                                // property `clear`
   std::optional<double> clear_height;                // property `clear_height`, metres, >= 0
   std::optional<double> level_sigma = std::nullopt;  // of a hole in holes.geojson whose level is still the estimate
+  std::optional<int64_t> cluster = std::nullopt;     // of a hole in holes.geojson, while its file is read: not sent
   bool is_as_found = false;                          // of such a hole, that of its water nothing was changed
   std::optional<int64_t> body;      // of a hole in holes.geojson: property `body`; of a decision `cluster`
   std::vector<int64_t> holes = {};  // of a decision: property `hole` of each feature that is part of it

@@ -205,6 +205,24 @@ TEST_F(SceneGeoJsonTest, ALevelThatNobodyChangedStaysAnEstimate) {
   EXPECT_EQ(given(" ", " ").level_sigma, std::nullopt);
 }
 
+// The lake is one hole over two cells, with a row for each.
+TEST_F(SceneGeoJsonTest, RowsOfAHoleFollowTheOneThatIsChanged) {
+  plan_.holes[0].evidence = plan_.holes[1].evidence = 0;
+  plan_.evidence = {{HoleEvidence::Verdict::kLake, true, 12.5, 0.04, "the sides agree"}};
+  plan_.water[0].sigma = 0.04;
+  std::string text = HolesGeoJson(input_, scene_);
+  const std::string level = R"("level_m":412.5)";
+  text.replace(text.find(level), level.size(), R"("level_m":412.75)");
+  const auto file = ParseWaterFile({text}, "holes.geojson", FrameOf(scene_));
+  ASSERT_TRUE(file.ok()) << file.status();
+  ASSERT_THAT(file->areas, SizeIs(1));
+  EXPECT_EQ(file->areas[0].level, 12.75);
+  EXPECT_FALSE(file->areas[0].is_as_found);
+  for (const double x : {65, 120}) EXPECT_TRUE(tilemend::Contains(file->areas[0].polygon, {x, 50})) << x;
+  text.replace(text.rfind(level), level.size(), R"("level_m":413.5)");
+  EXPECT_THAT(ParseWaterFile({text}, "holes.geojson", FrameOf(scene_))->areas, SizeIs(2)) << "which differ";
+}
+
 TEST_F(SceneGeoJsonTest, ARiverAmongTheHolesIsOneWhenItIsGivenBack) {
   plan_.water[0].river.stations = {{65, 50, 13.5}, {135, 50, 12.5}};
   const auto again = ParseWaterFile({HolesGeoJson(input_, scene_)}, "holes.geojson", FrameOf(scene_));
