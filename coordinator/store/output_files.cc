@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "absl/strings/str_cat.h"
+#include "common/records/output_names.h"
 #include "common/store/file_stamp.h"
 #include "common/store/fingerprint.h"
 #include "common/util/error_info.h"
