@@ -1,6 +1,5 @@
 #include "common/gis/raw_features.h"
 
-#include <algorithm>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -98,17 +97,17 @@ Saying SayingOf(const VectorFeature& f) {
 // In holes.geojson a hole over several cells has a row for each. Who changed some of them means the hole: the rows that
 // are as found say the same as the changed ones, unless these differ.
 void FollowChanges(std::vector<VectorFeature>& features) {
-  std::map<int64_t, std::vector<const VectorFeature*>> changed;
+  std::map<int64_t, std::optional<Saying>> changed;  // by cluster; none: rows differ
   for (const VectorFeature& f : features) {
-    if (f.cluster && !f.is_as_found) changed[*f.cluster].push_back(&f);
+    if (!f.cluster || f.is_as_found) continue;
+    const auto [it, fresh] = changed.try_emplace(*f.cluster, SayingOf(f));
+    if (!fresh && it->second != SayingOf(f)) it->second.reset();
   }
   for (VectorFeature& f : features) {
     const auto of_cluster = f.cluster && f.is_as_found ? changed.find(*f.cluster) : changed.end();
-    if (of_cluster == changed.end()) continue;
-    const VectorFeature& first = *of_cluster->second.front();
-    const auto said = SayingOf(first);
-    if (!std::ranges::all_of(of_cluster->second, [&](const auto* other) { return SayingOf(*other) == said; })) continue;
-    std::tie(f.water, f.level, f.kind, f.clear, f.clear_height, f.decision, f.level_sigma, f.is_as_found) = said;
+    if (of_cluster == changed.end() || !of_cluster->second) continue;
+    std::tie(f.water, f.level, f.kind, f.clear, f.clear_height, f.decision, f.level_sigma, f.is_as_found) =
+        *of_cluster->second;
   }
 }
 

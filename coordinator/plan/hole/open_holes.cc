@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <set>
 #include <unordered_map>
 #include <utility>
 
 #include "common/mesh/disjoint_sets.h"
 #include "coordinator/plan/hole/hole_types.h"
 #include "coordinator/plan/hole/measure_hole.h"
+#include "coordinator/plan/types/doubled_segments.h"
 #include "coordinator/plan/types/left_reasons.h"
 
 namespace tilemend {
@@ -19,18 +18,6 @@ constexpr char kFolds[] = "its boundary crosses itself seen from above";
 constexpr char kDoesNotClose[] = "its boundary does not close along the grid lines, so that it has no inside";
 
 using Segments = std::vector<BoundarySegment>;
-
-// Without segments that are there both ways, where two seams or a seam and the rim pass over the same vertices: nothing
-// lies between, and the cells beyond close on each other.
-Segments WithoutDoubled(const Segments& open) {
-  std::set<std::pair<int32_t, int32_t>> directed;
-  for (const BoundarySegment& s : open) directed.insert({s.segment.from, s.segment.to});
-  Segments single;
-  std::copy_if(open.begin(), open.end(), std::back_inserter(single), [&](const BoundarySegment& s) {
-    return !directed.contains({s.segment.to, s.segment.from});
-  });
-  return single;
-}
 
 // Connected groups of segments, by shared vertices, in order of their first segment.
 std::vector<Segments> GroupsOf(const Segments& open) {
@@ -71,7 +58,8 @@ class OpenHoleFinder {
   OpenHoleFinder(const HoleSite& site, const CellBoundary& boundary) : site_(site), boundary_(boundary) {}
 
   OpenHoles Run() {
-    const Segments open = WithoutDoubled(boundary_.open);
+    Segments open = boundary_.open;
+    DropDoubled(open, &BoundarySegment::segment);  // the cells beyond close on each other
     if (open.empty() || AddRegions(open)) return std::move(found_);
     const std::vector<Segments> groups = GroupsOf(open);
     for (const Segments& group : groups) {

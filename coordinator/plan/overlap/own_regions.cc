@@ -6,7 +6,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "common/mesh/rounding.h"
@@ -17,6 +16,7 @@
 #include "coordinator/plan/overlap/outline_walk.h"
 #include "coordinator/plan/overlap/picture_edges.h"
 #include "coordinator/plan/rim/rim.h"
+#include "coordinator/plan/types/doubled_segments.h"
 #include "coordinator/plan/types/meet_tolerance.h"
 
 namespace tilemend {
@@ -174,13 +174,6 @@ int32_t Nearest(double place, const std::vector<VertexOnLine>& line, const Outli
 const SurveyRecord& NoTile() {
   static const SurveyRecord none;
   return none;
-}
-
-// Takes out segments that are there both ways, as where a link runs back along an edge: nothing lies between.
-void DropDoubled(std::vector<RimSegment>& region) {
-  std::set<std::pair<int32_t, int32_t>> directed;
-  for (const RimSegment& s : region) directed.insert({s.from, s.to});
-  std::erase_if(region, [&](const RimSegment& s) { return directed.contains({s.to, s.from}); });
 }
 
 // The regions of one cell.

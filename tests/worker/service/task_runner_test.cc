@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <future>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -36,13 +35,7 @@ TEST_F(WorkerTest, ReportsWhatAStageThrows) {
 }
 
 TEST_F(WorkerTest, TellsWhatItHasBegun) {
-  std::promise<void> running;
-  const auto worker = NewWorker([&](Stage stage, const std::string& input, const CancelToken& cancel) {
-    running.set_value();
-    return UntilCancelled(stage, input, cancel);
-  });
-  coordinator_.Answer(Start({TaskOf(1, ""), TaskOf(2, "")}));
-  running.get_future().wait();
+  const auto worker = WorkerOnTheFirstOfTwo();
   v1::SyncResponse keep;
   *keep.add_keep() = Ref(1);
   *keep.add_keep() = Ref(2);

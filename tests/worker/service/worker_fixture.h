@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <future>
 #include <memory>
 #include <string>
 #include <thread>
@@ -95,6 +96,18 @@ class WorkerTest : public testing::Test {
     return request.finished(0);
   }
 
+  // A worker of one thread that has begun task 1, which ends when it is cancelled, and holds task 2.
+  std::unique_ptr<Worker> WorkerOnTheFirstOfTwo() {
+    auto worker = NewWorker([this](Stage stage, const std::string& input, const CancelToken& cancel) {
+      begun_.set_value();
+      return UntilCancelled(stage, input, cancel);
+    });
+    coordinator_.Answer(Start({TaskOf(1, ""), TaskOf(2, "")}));
+    begun_.get_future().wait();
+    return worker;
+  }
+
+  std::promise<void> begun_;  // by WorkerOnTheFirstOfTwo
   FakeCoordinator coordinator_;
   PrometheusRegistry metrics_;
   absl::Duration backoff_ = absl::Milliseconds(1);

@@ -77,13 +77,7 @@ TEST_F(WorkerTest, SendsNoMoreInOneCallThanFits) {
 }
 
 TEST_F(WorkerTest, DropsWhatIsNotToBeKept) {
-  std::promise<void> running;
-  const auto worker = NewWorker([&](Stage stage, const std::string& input, const CancelToken& cancel) {
-    running.set_value();
-    return UntilCancelled(stage, input, cancel);
-  });
-  coordinator_.Answer(Start({TaskOf(1, ""), TaskOf(2, "")}));
-  running.get_future().wait();
+  const auto worker = WorkerOnTheFirstOfTwo();
   const auto holds_both = [](const v1::SyncRequest& request) { return request.held_size() == 2; };
   coordinator_.Answer(v1::SyncResponse(), holds_both);  // one runs, one waits for the thread
   const v1::SyncRequest request = coordinator_.Answer(v1::SyncResponse(), HoldsNothing);
