@@ -79,8 +79,9 @@ absl::Status GiveCentrelines(std::vector<VectorFeature> features, const std::str
   }
   if (stray == 0) return absl::OkStatus();
   const std::string more = stray > 1 ? absl::StrCat(" and ", stray - 1, " more") : "";
-  file.warnings.push_back(absl::StrCat(
-      name, ": ", first, more, ": a line that lies in no polygon of water, so it has no effect; water is a polygon"));
+  file.warnings.push_back(
+      absl::StrCat(name, ": ", first, more,
+                   ": a line that lies in no polygon of water, so it has no effect; draw water as a polygon"));
   return absl::OkStatus();
 }
 
