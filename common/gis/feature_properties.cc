@@ -114,24 +114,24 @@ std::optional<int64_t> BodyOf(const OGRFeature& feature) {
   return FieldOf(feature, kHoleProperty) < 0 ? std::nullopt : WholeNumberOf(feature, kBodyProperty);
 }
 
-// Of a hole in holes.geojson: its cluster, whether its level is the program's estimate, and whether all of its water is
-// as found.
+// Of a hole in holes.geojson: its cluster, whether it was water, whether its level is the program's estimate, and
+// whether all of its water is as found.
 void SetFound(const OGRFeature& feature, VectorFeature& to) {
   if (FieldOf(feature, kHoleProperty) < 0) return;
   to.cluster = WholeNumberOf(feature, kClusterProperty);
-  if (!to.water || to.clear) return;
-  const auto number = [&](const char* property) {
-    const int index = FieldOf(feature, property);
-    return IsNumber(feature, index) ? std::optional(feature.GetFieldAsDouble(index)) : std::nullopt;
+  const auto number = [&](const char* property, double low, double high) {
+    return MetresOf(feature, property, low, high, "a number as it was written, or no value", to.label);
   };
   const auto word = [&](const char* property) {
     const int index = FieldOf(feature, property);
     return index < 0 ? std::string() : WordOf(feature, index);
   };
-  const std::optional<double> sigma = number(kSigmaProperty);
-  const bool is_estimate = to.level && to.level == number(kEstimateProperty);
-  if (is_estimate && sigma && *sigma >= 0 && *sigma <= kMostSigma) to.level_sigma = sigma;
-  to.is_as_found = word(kDecidedByProperty) == kByRim && word(kKindProperty) == word(kTakenForProperty) &&
+  const std::optional<double> sigma = number(kSigmaProperty, 0, kMostSigma);
+  const std::optional<double> estimate = number(kEstimateProperty, -kMostHeight, kMostHeight);
+  if (to.water && to.level && to.level == estimate) to.level_sigma = sigma;
+  const std::string taken_for = word(kTakenForProperty);
+  to.was_water = IsOneOf(taken_for, {"lake", "river"});
+  to.is_as_found = to.water && word(kDecidedByProperty) == kByRim && word(kKindProperty) == taken_for && !to.clear &&
                    (to.level_sigma || (to.kind == WaterKind::kRiver && !to.level));
 }
 

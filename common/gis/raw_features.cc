@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -32,83 +33,32 @@ struct LeftOut {
 bool IsHole(const OGRFeature& feature) { return FieldOf(feature, kHoleProperty) >= 0; }
 bool IsDryHole(const OGRFeature& feature) { return IsHole(feature) && FieldOf(feature, kWaterProperty) < 0; }
 
-class Layer {
- public:
-  Layer(std::string prefix, const LayerRules& rules) : prefix_(std::move(prefix)), rules_(rules) {}
-
-  void Add(const OGRFeature& feature) {
-    const std::string label = LabelOf(feature, prefix_);
-    if (rules_.use == VectorUse::kDecisions && FieldOf(feature, kDecisionProperty) < 0) return;
-    if (rules_.use == VectorUse::kWater && IsDryHole(feature)) return dry_.Add(label);
-    const OGRGeometry* geometry = feature.GetGeometryRef();
-    if (geometry == nullptr && rules_.needs_geometry)
-      throw BadVectors{label + ": no geometry, or none that can be read"};
-    const GeometryPtr linear(geometry != nullptr ? geometry->getLinearGeometry() : nullptr);  // arcs become chords
-    if (linear != nullptr) geometry = linear.get();
-    const GeometryPtr area(rules_.is_drawing && geometry != nullptr ? AreaWithin(*geometry) : nullptr);
-    if (area != nullptr) geometry = area.get();
-    if (!IsOfUse(geometry, IsHole(feature))) return other_.Add(label);
-    Take(feature, *geometry, label);
-  }
-
-  RawFeatures Done() && {
-    other_.Tell(rules_.is_drawing ? "neither polygons nor closed lines, so they have no effect"
-                                  : "neither polygons nor lines, so they have no effect",
-                read_.warnings);
-    dry_.Tell("holes whose property water is empty, so they have no effect; true or false would decide",
-              read_.warnings);
-    return std::move(read_);
-  }
-
- private:
-  bool IsOfUse(const OGRGeometry* geometry, bool is_hole) const {
-    if (geometry == nullptr || !IsAreaOrLine(*geometry)) return false;
-    return geometry->getDimension() == 2 || !(rules_.is_drawing || is_hole);
-  }
-
-  void Take(const OGRFeature& feature, const OGRGeometry& geometry, const std::string& label) {
-    VectorFeature& raw = read_.features.emplace_back();
-    raw.label = label;
-    SetGeometry(geometry, raw);
-    if (rules_.use == VectorUse::kDecisions) SetDecision(feature, raw);
-    if (rules_.use == VectorUse::kWater) SetProperties(feature, raw);
-    if (raw.polygon.empty()) return;
-    const std::string fault =
-        Repair(geometry, rules_.use == VectorUse::kArea ? Crossings::kRefuse : Crossings::kRepair, raw);
-    if (!fault.empty()) {
-      read_.warnings.push_back(label + ": " + fault + "; it is taken as repaired: all that it surrounds is inside");
-    }
-    if (rules_.use == VectorUse::kWater) raw.line = CentrelineOf(feature, label);
-  }
-
-  const std::string prefix_;
-  const LayerRules rules_;
-  RawFeatures read_;
-  LeftOut other_, dry_;
-};
-
 // What a feature says of its polygon.
 using Metres = std::optional<double>;
 using Saying = std::tuple<bool, Metres, WaterKind, bool, Metres, ReviewDecision, Metres, bool>;
 Saying SayingOf(const VectorFeature& f) {
   return {f.water, f.level, f.kind, f.clear, f.clear_height, f.decision, f.level_sigma, f.is_as_found};
 }
+void Say(const Saying& saying, VectorFeature& f) {
+  std::tie(f.water, f.level, f.kind, f.clear, f.clear_height, f.decision, f.level_sigma, f.is_as_found) = saying;
+}
 
-// In holes.geojson a hole over several cells has a row for each. Who changed some of them means the hole: the rows that
-// are as found say the same as the changed ones, unless these differ.
-void FollowChanges(std::vector<VectorFeature>& features) {
-  std::map<int64_t, std::optional<Saying>> changed;  // by cluster; none: rows differ
+// Whether a hole that was no water says something of water that the program did not write.
+bool IsChanged(const VectorFeature& dry) {
+  const bool is_given = dry.level && !dry.level_sigma;
+  return is_given || dry.kind != WaterKind::kUnsaid || dry.clear || dry.clear_height;
+}
+
+// In holes.geojson a hole over several cells has a row for each. Who changed some of them means the hole.
+using Changes = std::map<int64_t, std::optional<Saying>>;  // by cluster; none: its changed rows differ
+Changes ChangesIn(const std::vector<VectorFeature>& features) {
+  Changes changes;
   for (const VectorFeature& f : features) {
     if (!f.cluster || f.is_as_found) continue;
-    const auto [it, fresh] = changed.try_emplace(*f.cluster, SayingOf(f));
+    const auto [it, fresh] = changes.try_emplace(*f.cluster, SayingOf(f));
     if (!fresh && it->second != SayingOf(f)) it->second.reset();
   }
-  for (VectorFeature& f : features) {
-    const auto of_cluster = f.cluster && f.is_as_found ? changed.find(*f.cluster) : changed.end();
-    if (of_cluster == changed.end() || !of_cluster->second) continue;
-    std::tie(f.water, f.level, f.kind, f.clear, f.clear_height, f.decision, f.level_sigma, f.is_as_found) =
-        *of_cluster->second;
-  }
+  return changes;
 }
 
 // Features of one body that say the same become the first of them.
@@ -135,15 +85,107 @@ void UniteBodies(std::vector<VectorFeature>& features) {
   features = std::move(united);
 }
 
+class Layer {
+ public:
+  Layer(std::string prefix, const LayerRules& rules) : prefix_(std::move(prefix)), rules_(rules) {}
+
+  void AddAll(OGRLayer& layer) {
+    for (const auto& feature : layer) Add(*feature);
+    if (rules_.use == VectorUse::kWater) FollowChanges(layer);
+    if (rules_.use != VectorUse::kArea) UniteBodies(read_.features);
+  }
+
+  RawFeatures Done() && {
+    other_.Tell(rules_.is_drawing ? "neither polygons nor closed lines, so they have no effect"
+                                  : "neither polygons nor lines, so they have no effect",
+                read_.warnings);
+    dry_.Tell("holes whose property water is empty, so they have no effect; true or false would decide",
+              read_.warnings);
+    edited_.Tell(
+        "holes that were changed but whose property water is empty, so the change has no effect; set it to true",
+        read_.warnings);
+    return std::move(read_);
+  }
+
+ private:
+  void Add(const OGRFeature& feature) {
+    if (rules_.use == VectorUse::kDecisions && FieldOf(feature, kDecisionProperty) < 0) return;
+    if (rules_.use == VectorUse::kWater && IsDryHole(feature)) return;  // FollowChanges looks at it
+    AddGeometry(feature);
+  }
+
+  void AddGeometry(const OGRFeature& feature) {
+    const std::string label = LabelOf(feature, prefix_);
+    const OGRGeometry* geometry = feature.GetGeometryRef();
+    if (geometry == nullptr && rules_.needs_geometry)
+      throw BadVectors{label + ": no geometry, or none that can be read"};
+    const GeometryPtr linear(geometry != nullptr ? geometry->getLinearGeometry() : nullptr);  // arcs become chords
+    if (linear != nullptr) geometry = linear.get();
+    const GeometryPtr area(rules_.is_drawing && geometry != nullptr ? AreaWithin(*geometry) : nullptr);
+    if (area != nullptr) geometry = area.get();
+    if (!IsOfUse(geometry, IsHole(feature))) return other_.Add(label);
+    Take(feature, *geometry, label);
+  }
+
+  // Rows that are as found say the same as the changed ones of their cluster, unless these differ. So do those that are
+  // no water, where no row of the cluster was water: there they are its dry part.
+  void FollowChanges(OGRLayer& layer) {
+    const Changes changes = ChangesIn(read_.features);
+    std::set<int64_t> water;
+    for (VectorFeature& f : read_.features) {
+      if (f.cluster && f.was_water) water.insert(*f.cluster);
+      if (!f.cluster || !f.is_as_found) continue;
+      const auto of_cluster = changes.find(*f.cluster);
+      if (of_cluster != changes.end() && of_cluster->second) Say(*of_cluster->second, f);
+    }
+    for (const auto& feature : layer) {
+      if (!IsDryHole(*feature)) continue;
+      VectorFeature said;
+      said.label = LabelOf(*feature, prefix_);
+      SetProperties(*feature, said);
+      const auto of_cluster = said.cluster ? changes.find(*said.cluster) : changes.end();
+      if (of_cluster != changes.end() && of_cluster->second && !water.contains(*said.cluster)) {
+        const size_t before = read_.features.size();
+        AddGeometry(*feature);
+        if (read_.features.size() > before) Say(*of_cluster->second, read_.features.back());
+      } else {
+        (IsChanged(said) ? edited_ : dry_).Add(said.label);
+      }
+    }
+  }
+
+  bool IsOfUse(const OGRGeometry* geometry, bool is_hole) const {
+    if (geometry == nullptr || !IsAreaOrLine(*geometry)) return false;
+    return geometry->getDimension() == 2 || !(rules_.is_drawing || is_hole);
+  }
+
+  void Take(const OGRFeature& feature, const OGRGeometry& geometry, const std::string& label) {
+    VectorFeature& raw = read_.features.emplace_back();
+    raw.label = label;
+    SetGeometry(geometry, raw);
+    if (rules_.use == VectorUse::kDecisions) SetDecision(feature, raw);
+    if (rules_.use == VectorUse::kWater) SetProperties(feature, raw);
+    if (raw.polygon.empty()) return;
+    const std::string fault =
+        Repair(geometry, rules_.use == VectorUse::kArea ? Crossings::kRefuse : Crossings::kRepair, raw);
+    if (!fault.empty()) {
+      read_.warnings.push_back(label + ": " + fault + "; it is taken as repaired: all that it surrounds is inside");
+    }
+    if (rules_.use == VectorUse::kWater) raw.line = CentrelineOf(feature, label);
+  }
+
+  const std::string prefix_;
+  const LayerRules rules_;
+  RawFeatures read_;
+  LeftOut other_, dry_, edited_;
+};
+
 }  // namespace
 
 RawFeatures RawFeaturesOf(OGRLayer& layer, const std::string& prefix, const LayerRules& rules) {
   Layer read(prefix, rules);
-  for (const auto& feature : layer) read.Add(*feature);
-  RawFeatures raw = std::move(read).Done();
-  if (rules.use == VectorUse::kWater) FollowChanges(raw.features);
-  if (rules.use != VectorUse::kArea) UniteBodies(raw.features);
-  return raw;
+  read.AddAll(layer);
+  return std::move(read).Done();
 }
 
 std::vector<std::string> NearMisses(OGRLayer& layer, const std::string& prefix) {

@@ -176,6 +176,15 @@ bool HasPart(const VectorRequest& request, std::string_view suffix) {
   return std::ranges::any_of(request.parts, [&](const auto& part) { return part.name.ends_with(suffix); });
 }
 
+// A shapefile without its .dbf has no field.
+void CheckHasProperties(GDALDataset& data, VectorUse use) {
+  if (use == VectorUse::kArea || !EQUAL(data.GetDriverName(), "ESRI Shapefile")) return;
+  for (OGRLayer* layer : data.GetLayers()) {
+    if (layer->GetLayerDefn()->GetFieldCount() > 0) continue;
+    throw BadVectors{"a shapefile without its .dbf, which says what the polygons are; put it beside the .shp"};
+  }
+}
+
 void ReadLayer(OGRLayer& layer, const VectorRequest& request, const std::string& prefix, const LayerRules& rules,
                VectorFile& file) {
   auto [features, warnings] = RawFeaturesOf(layer, prefix, rules);
@@ -228,6 +237,7 @@ void Read(const VectorRequest& request, VectorFile& file) {
   const Datasets data = Open(folder, request.format);
   std::vector<std::pair<OGRLayer*, LayerRules>> layers;
   for (const GDALDatasetUniquePtr& set : data) {
+    CheckHasProperties(*set, request.use);
     const bool is_drawing = EQUAL(set->GetDriverName(), "DXF") || EQUAL(set->GetDriverName(), "DGN");
     for (OGRLayer* layer : set->GetLayers()) {
       if (IsOfUse(*layer, request)) {

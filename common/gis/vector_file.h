@@ -37,6 +37,7 @@ struct VectorFeature {
   std::optional<double> clear_height;                // property `clear_height`, metres, >= 0
   std::optional<double> level_sigma = std::nullopt;  // of a hole in holes.geojson whose level is still the estimate
   std::optional<int64_t> cluster = std::nullopt;     // of a hole in holes.geojson, while its file is read: not sent
+  bool was_water = false;                            // of such a hole, likewise
   bool is_as_found = false;                          // of such a hole, that of its water nothing was changed
   std::optional<int64_t> body;      // of a hole in holes.geojson: property `body`; of a decision `cluster`
   std::vector<int64_t> holes = {};  // of a decision: property `hole` of each feature that is part of it
@@ -88,7 +89,8 @@ struct VectorFile {
 // file or a URL that its input names.
 //
 // holes.geojson: features with a property `hole` are left out, with one warning that counts them, unless they have a
-// value of `water`. Those of one `body` that say the same are parts of one feature.
+// value of `water`, or a changed feature of the same `cluster` has one and none there is water as found. Those of one
+// `body` that say the same are parts of one feature.
 //
 // What coordinates are. Those of a layer that names its CRS are transformed to the scene's. Others are taken for
 // longitude and latitude (WGS 84), for coordinates of the scene, or of its CRS. The first of these that puts the layer

@@ -140,5 +140,62 @@ TEST(RawFeaturesTest, HolesOfOneBodyAreOneAreaIfTheySayTheSame) {
   EXPECT_EQ(file->areas[2].label, "feature 4");
 }
 
+// As it writes level ground and ground that is none.
+constexpr char kLevelGround[] =
+    R"("cluster": 3, "level_m": 5, "estimate_m": 5, "sigma_m": 0.1, "decided_by": "rim", "taken_for": "level")";
+constexpr char kGround[] = R"("cluster": 3, "decided_by": null, "taken_for": "ground")";
+constexpr char kLake[] = R"("cluster": 3, "water": true, "kind": "lake", "level_m": 5, "estimate_m": 5,
+                            "sigma_m": 0.1, "decided_by": "rim", "taken_for": "lake", "body": 0)";
+
+std::string Changed(const std::string& row, const std::string& change) { return absl::StrCat(row, ", ", change); }
+
+TEST(RawFeaturesTest, AllRowsOfAHoleFollowTheOneThatIsChanged) {
+  const auto file = ParseWaterFile(
+      {CollectionText({HoleText(0, kGround), HoleText(8, Changed(kGround, R"("water": true, "level_m": 4)")),
+                       HoleText(16, kLevelGround), HoleText(24, R"("cluster": 4)")})},
+      "f", {});
+  ASSERT_TRUE(file.ok()) << file.status();
+  ASSERT_THAT(file->areas, SizeIs(3));
+  for (const WaterArea& area : file->areas) {
+    EXPECT_TRUE(area.water) << area.label;
+    EXPECT_EQ(area.level, 4) << area.label;
+  }
+  EXPECT_THAT(file->warnings, ElementsAre(HasSubstr("f: feature 3: holes whose property water is empty")));
+}
+
+TEST(RawFeaturesTest, TheDryPartOfAHoleThatIsWaterStaysDry) {
+  const auto file =
+      ParseWaterFile({CollectionText({HoleText(0, kLake), HoleText(8, Changed(kLake, R"("clear": false)")),
+                                      HoleText(16, kGround), HoleText(24, Changed(kGround, R"("water": true)"))})},
+                     "f", {});
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_THAT(file->areas, SizeIs(2)) << "one body, and the row that says it is water";
+}
+
+TEST(RawFeaturesTest, ChangesOfHolesThatAreNoWaterAreTold) {
+  const auto told =
+      ParseWaterFile({CollectionText({HoleText(0, kLevelGround), HoleText(8, kLevelGround),
+                                      HoleText(16, Changed(kGround, R"("level_m": 4)")),
+                                      HoleText(24, Changed(kGround, R"("clear": true)")), FeatureText(kSquare)})},
+                     "f", {});
+  ASSERT_TRUE(told.ok()) << told.status();
+  EXPECT_THAT(told->areas, SizeIs(1));
+  EXPECT_THAT(told->warnings, UnorderedElementsAre(HasSubstr("feature 0 and 1 more: holes whose property water is"),
+                                                   HasSubstr("feature 2 and 1 more: holes that were changed but")));
+}
+
+TEST(RawFeaturesTest, EstimatesMayBeTextButNotDamaged) {
+  const std::string text = R"("water": true, "kind": "lake", "level_m": "5", "estimate_m": "5 m", "sigma_m": "0.1",
+                              "decided_by": "rim", "taken_for": "lake")";
+  const auto file = ParseWaterFile({CollectionText({HoleText(0, text)})}, "f", {});
+  ASSERT_TRUE(file.ok()) << file.status();
+  EXPECT_TRUE(file->areas[0].is_as_found);
+  EXPECT_EQ(file->areas[0].level_sigma, 0.1);
+  for (const char* damage : {R"("estimate_m": "#VALUE!")", R"("sigma_m": -1)", R"("sigma_m": [1])"}) {
+    const auto damaged = ParseWaterFile({CollectionText({HoleText(0, Changed(kGround, damage))})}, "f", {});
+    EXPECT_THAT(damaged.status().ToString(), HasSubstr("f: feature 0: property ")) << damage;
+  }
+}
+
 }  // namespace
 }  // namespace tilemend

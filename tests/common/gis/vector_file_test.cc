@@ -324,10 +324,22 @@ TEST_F(VectorFormatTest, AnArchiveOfSeveralFilesIsReadInOrderOfTheirNames) {
   EXPECT_THAT(ParseWaterFile(*none, "none.zip", kFrame).status().ToString(), HasSubstr("none.zip: an archive without"));
 }
 
-TEST_F(VectorFormatTest, AShapefileAloneIsReadWithoutItsProperties) {
+TEST_F(VectorFormatTest, AShapefileWithoutItsIndexAndProjectionIsRead) {
   WriteLakes({"ESRI Shapefile", ""}, folder_ / "lakes.shp");
-  for (const char* beside : {"lakes.dbf", "lakes.shx", "lakes.prj"}) std::filesystem::remove(folder_ / beside);
-  CheckLakes(folder_ / "lakes.shp", {"ESRI Shapefile", "", 25832, false});
+  for (const char* beside : {"lakes.shx", "lakes.prj"}) std::filesystem::remove(folder_ / beside);
+  CheckLakes(folder_ / "lakes.shp", {"ESRI Shapefile", ""});
+}
+
+TEST_F(VectorFormatTest, AShapefileWithoutItsPropertiesIsRefusedButForAnArea) {
+  WriteLakes({"ESRI Shapefile", ""}, folder_ / "lakes.shp");
+  Zip(folder_, {"lakes.shp", "lakes.shx", "lakes.prj"}, folder_ / "lakes.zip");
+  std::filesystem::remove(folder_ / "lakes.dbf");
+  for (const char* name : {"lakes.shp", "lakes.zip"}) {
+    const auto bytes = ReadAreaFile(folder_ / name);
+    ASSERT_TRUE(bytes.ok()) << bytes.status();
+    EXPECT_THAT(ParseWaterFile(*bytes, name, kFrame).status().ToString(), HasSubstr("a shapefile without its .dbf"));
+    EXPECT_TRUE(ParseAreaFile(*bytes, name, kFrame).ok());
+  }
 }
 
 TEST_F(VectorFormatTest, ADamagedPrjIsWarnedOf) {

@@ -194,7 +194,6 @@ TEST_F(SceneGeoJsonTest, ALevelThatNobodyChangedStaysAnEstimate) {
   EXPECT_EQ(other.level, 12.75);
   EXPECT_EQ(other.level_sigma, std::nullopt);
   EXPECT_FALSE(other.is_as_found);
-  EXPECT_EQ(given(R"("sigma_m":0.04)", R"("sigma_m":-1.5)").level_sigma, std::nullopt);
   const WaterArea river = given(R"("kind":"lake","level_m":412.5)", R"("kind":"river","level_m":null)");
   EXPECT_EQ(river.level, std::nullopt);
   EXPECT_FALSE(river.is_as_found);
