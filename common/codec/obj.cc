@@ -246,6 +246,8 @@ class ObjReader {
                            absl::StrCat("the face has more than ", kMaxListCount, " corners"));
       }
     }
+    if (corners_.size() < 3 && p_ == end_)
+      return LineProblem(name_, bytes_, statement, "the file ends within a face: it is cut off");
     const bool is_early = corners_.size() > 3 && *std::ranges::max_element(corners_) >= std::ssize(file_.mesh.points);
     if (is_early && all_points_.empty()) TILEMEND_RETURN_IF_ERROR(ReadAllPoints());
     AddPolygon(corners_, places_, visit_, file_, cut_, all_points_);

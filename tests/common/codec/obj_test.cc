@@ -199,6 +199,8 @@ TEST(ObjTest, RefusesOtherContent) {
   EXPECT_EQ(MessageOf("v 0 0 0\n"), "a.obj: the file has no faces");
   EXPECT_EQ(MessageOf("ply\nformat ascii 1.0\n"), "a.obj: line 1: expected an OBJ statement, found something else");
   EXPECT_EQ(MessageOf("OFF\n3 1 0\n"), "a.obj: line 1: expected an OBJ statement, found something else");
+  EXPECT_EQ(MessageOf("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2"),
+            "a.obj: line 5: the file ends within a face: it is cut off");
 }
 
 TEST(ObjTest, FlatFacesAreNoTrianglesUnlessTheyAreKept) {
