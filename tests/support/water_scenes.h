@@ -35,6 +35,12 @@ inline SceneMakerOptions LakeOverNineCells(Cut cut, double bank = 0.1) {
   return HoleOverNineCells(cut, [bank](double d, double, double) { return kWaterLevel + bank * std::fmax(d, 0); });
 }
 
+// A valley that rises by `slope` metres a metre towards the east.
+inline SceneMakerOptions ValleyOverNineCells(Cut cut, double slope) {
+  return HoleOverNineCells(
+      cut, [slope](double d, double x, double) { return kWaterLevel + slope * x + 0.1 * std::fmax(d, 0); });
+}
+
 }  // namespace tilemend
 
 #endif  // TILEMEND_TESTS_SUPPORT_WATER_SCENES_H_

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "coordinator/plan/types/left_reasons.h"
-#include "coordinator/plan/water/area_index.h"
 #include "coordinator/plan/water/hole_groups.h"
 
 namespace tilemend {
@@ -58,7 +57,41 @@ void DropOthers(const std::vector<WaterArea>& areas, const AreaIndex& index, std
   }
 }
 
+// Whether a whole rim, of which `lowest` is known, stands higher than the surface that the area takes out, as on a
+// bridge over cleared water.
+bool LiesAbove(std::optional<double> lowest, const WaterArea& area) {
+  if (!area.clear || !area.water || !area.level) return false;
+  const double top = *area.level + area.clear_height;
+  return lowest && *lowest > top;
+}
+
+// Of the original vertices on a rim; none: there are none.
+std::optional<double> LowestOnRim(const Plan& plan, const std::vector<int32_t>& holes) {
+  std::optional<double> lowest;
+  for (const int32_t v : RimVerticesOf(plan, holes)) {
+    const double z = plan.vertices[v].position.z();
+    lowest = std::min(lowest.value_or(z), z);
+  }
+  return lowest;
+}
+
 }  // namespace
+
+std::optional<size_t> DeciderOf(const Plan& plan, const std::vector<int32_t>& holes,
+                                const std::vector<WaterArea>& areas, const AreaIndex& index) {
+  if (areas.empty()) return std::nullopt;
+  const auto decision = plan.decisions.find(holes.front());
+  if (decision != plan.decisions.end() && areas[decision->second].decision != ReviewDecision::kAccept)
+    return decision->second;
+  const CoverLines region(BoundaryOf(plan, holes));
+  const auto is_of_water = [](const WaterArea& area) { return area.decision == ReviewDecision::kNone; };
+  std::vector<AreaShare> shares = index.SharesOf(region, is_of_water);
+  if (shares.empty()) return std::nullopt;
+  const std::optional<double> lowest = LowestOnRim(plan, holes);
+  std::erase_if(shares, [&](const AreaShare& s) { return LiesAbove(lowest, areas[s.area]); });
+  const auto deciding = index.DeciderOf(region, shares);
+  return deciding ? std::optional<size_t>(deciding->area) : std::nullopt;
+}
 
 void DecideHoles(const std::vector<WaterArea>& areas, Plan& plan, const std::function<bool()>& is_cancelled) {
   if (std::ranges::none_of(areas, IsDecision)) return;

@@ -1,10 +1,15 @@
-// The holes that a reviewer decided on.
+// The holes that a reviewer decided on, and which area of the user's says what the others are.
 #ifndef TILEMEND_COORDINATOR_PLAN_WATER_DECIDED_HOLES_H_
 #define TILEMEND_COORDINATOR_PLAN_WATER_DECIDED_HOLES_H_
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <optional>
+#include <vector>
 
 #include "coordinator/plan/types/plan_types.h"
+#include "coordinator/plan/water/area_index.h"
 
 namespace tilemend {
 
@@ -15,6 +20,16 @@ namespace tilemend {
 // Holes whose decision is kOpen get the failure kLeftByDecision, unless they have one. To be called when clusters are
 // known and before water is found. Once cancelled it ends soon. Cost as AreaIndex for each group, twice.
 void DecideHoles(const std::vector<WaterArea>& areas, Plan& plan, const std::function<bool()>& is_cancelled = {});
+
+// The area that decides whether the holes of a group are water, or none. A reviewer's decision comes first; it may be
+// to accept, which decides nothing. An area that is cleared has no part in holes whose rim is all above what it takes
+// out.
+//
+//   index  of `areas`
+//
+// Precondition: DecideHoles was called. Cost as AreaIndex.
+std::optional<size_t> DeciderOf(const Plan& plan, const std::vector<int32_t>& holes,
+                                const std::vector<WaterArea>& areas, const AreaIndex& index);
 
 }  // namespace tilemend
 

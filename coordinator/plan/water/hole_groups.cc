@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "coordinator/plan/types/left_reasons.h"
+
 namespace tilemend {
 namespace {
 
@@ -21,12 +23,12 @@ double SlopeOf(const Plan& plan, const PlannedHole& hole) {
   return std::atan2(area.head<2>().norm(), area.z());
 }
 
-std::vector<std::vector<int32_t>> GroupHoles(const Plan& plan) {
+std::vector<std::vector<int32_t>> GroupHoles(const Plan& plan, bool with_left) {
   std::vector<std::vector<int32_t>> groups;
   std::map<int32_t, size_t> group_of_cluster;
   for (size_t h = 0; h < plan.holes.size(); ++h) {
     const PlannedHole& hole = plan.holes[h];
-    if (!hole.failure.empty()) continue;
+    if (!hole.failure.empty() && !(with_left && hole.failure == kLeftByDecision)) continue;
     if (hole.kind == HoleKind::kClosed) {
       if (plan.upright && std::cos(SlopeOf(plan, hole)) > kFacesUp) groups.push_back({static_cast<int32_t>(h)});
       continue;

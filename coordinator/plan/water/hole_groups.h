@@ -15,8 +15,9 @@ namespace tilemend {
 double SlopeOf(const Plan& plan, const PlannedHole& hole);
 
 // The clusters of open holes, and the closed holes that face up; each in order of their first hole. Holes
-// that can't be filled are in none. Cost O(n log n) in the plan's holes and segments.
-std::vector<std::vector<int32_t>> GroupHoles(const Plan& plan);
+// that can't be filled are in none; `with_left`: but those that a reviewer leaves open. Cost O(n log n) in the plan's
+// holes and segments.
+std::vector<std::vector<int32_t>> GroupHoles(const Plan& plan, bool with_left = false);
 
 // The same of all holes, also of those that can't be filled or do not face up. Cost O(n log n) in the plan's holes.
 std::vector<std::vector<int32_t>> GroupAllHoles(const Plan& plan);

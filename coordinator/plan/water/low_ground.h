@@ -27,8 +27,8 @@ struct GroundAround {
   double sunk = 0;  // lower than that water by more than three times the noise of the rim
 };
 
-// For each shore. It looks at squares of 3 m with ground, 4 to 15 m from the shore (RimGround::around). The nearest edge
-// must be at the water. What is low is not measured by the noise of the rim, which has crowns of trees in it.
+// For each shore. It looks at squares of 3 m with ground, 4 to 15 m from the shore (RimGround::around). The nearest
+// edge must be at the water. What is low is not measured by the noise of the rim, which has crowns of trees in it.
 //
 // The vertices of the survey's bands count instead where these squares are not told or wider than 6 m, or where edges
 // are longer than 5 m: then the distances are 1.5 and 3 mean edges. They lie off the rims of holes; the lowest in each

@@ -14,6 +14,7 @@
 
 #include "coordinator/plan/water/area_index.h"
 #include "coordinator/plan/water/basins.h"
+#include "coordinator/plan/water/decided_holes.h"
 #include "coordinator/plan/water/given_water.h"
 #include "coordinator/plan/water/hole_groups.h"
 #include "coordinator/plan/water/low_ground.h"
@@ -37,41 +38,8 @@ struct Group {
   HoleEvidence evidence;
   bool is_judged = false;
   bool is_known = false;  // the scene as a whole says what of it is water
+  bool is_open_lake = false;
 };
-
-// Whether a whole rim, of which `lowest` is known, stands higher than the surface that the area takes out, as on a
-// bridge over cleared water.
-bool LiesAbove(std::optional<double> lowest, const WaterArea& area) {
-  if (!area.clear || !area.water || !area.level) return false;
-  const double top = *area.level + area.clear_height;
-  return lowest && *lowest > top;
-}
-
-// Of the original vertices on a rim; none: there are none.
-std::optional<double> LowestOnRim(const Plan& plan, const std::vector<int32_t>& holes) {
-  std::optional<double> lowest;
-  for (const int32_t v : RimVerticesOf(plan, holes)) {
-    const double z = plan.vertices[v].position.z();
-    lowest = std::min(lowest.value_or(z), z);
-  }
-  return lowest;
-}
-
-std::optional<size_t> DeciderOf(const Plan& plan, const std::vector<int32_t>& holes,
-                                const std::vector<WaterArea>& areas, const AreaIndex& index) {
-  if (areas.empty()) return std::nullopt;
-  const auto decision = plan.decisions.find(holes.front());
-  if (decision != plan.decisions.end() && areas[decision->second].decision != ReviewDecision::kAccept)
-    return decision->second;
-  const CoverLines region(BoundaryOf(plan, holes));
-  const auto is_of_water = [](const WaterArea& area) { return area.decision == ReviewDecision::kNone; };
-  std::vector<AreaShare> shares = index.SharesOf(region, is_of_water);
-  if (shares.empty()) return std::nullopt;
-  const std::optional<double> lowest = LowestOnRim(plan, holes);
-  std::erase_if(shares, [&](const AreaShare& s) { return LiesAbove(lowest, areas[s.area]); });
-  const auto deciding = index.DeciderOf(region, shares);
-  return deciding ? std::optional<size_t>(deciding->area) : std::nullopt;
-}
 
 Eigen::AlignedBox2d SurroundingsOf(const std::vector<PlaneSegment>& outline, double margin) {
   Eigen::AlignedBox2d box;
@@ -177,6 +145,35 @@ void KeepDoubt(const LevelEvidence& rim, HoleEvidence& evidence) {
   evidence.chance_wrong = ChanceOfError(evidence.verdict, rim);
 }
 
+void StoreBody(WaterBody body, Plan& plan) {
+  if (body.kind == BodyKind::kWater) MarkWalls(body, plan);
+  for (const int32_t h : body.holes) plan.holes[h].water = static_cast<int32_t>(plan.water.size());
+  plan.water.push_back(std::move(body));
+}
+
+void StoreEvidence(Group group, Plan& plan) {
+  if (!group.is_judged || !plan.holes[group.holes.front()].failure.empty()) return;
+  for (const int32_t h : group.holes) plan.holes[h].evidence = static_cast<int32_t>(plan.evidence.size());
+  plan.evidence.push_back(std::move(group.evidence));
+}
+
+// The water of a basin; `falls`: as a river.
+WaterBody BodyOf(const Basin& basin, bool falls) {
+  const LevelEvidence& e = basin.river ? basin.river->evidence : basin.evidence;
+  WaterBody body;
+  DescribeRim(basin.evidence, e.sigma(), body);
+  body.level = body.shore_level = e.level;
+  if (falls) body.river = basin.river->water;
+  return body;
+}
+
+// A lake of an area that gives no level. On both sides of a bridge it is that of one water, whoever says so.
+struct OpenLake {
+  GivenWater alone;
+  Basin basin;
+  bool may_fall;
+};
+
 class WaterFinder {
  public:
   WaterFinder(const PlanInput& input, const WaterOptions& options, KnownWater known, Plan& plan,
@@ -185,20 +182,20 @@ class WaterFinder {
 
   void Run() {
     CollectGroups();
-    FindGiven();
-    if (options_.find) FindByEvidence();
+    std::vector<OpenLake> lakes = FindGiven();
+    FindByEvidence(std::move(lakes));
     if (index_.cancelled()) return;
     AddKnown();
     std::ranges::sort(bodies_, {}, [](const WaterBody& body) { return body.holes.front(); });
-    for (WaterBody& body : bodies_) StoreBody(std::move(body));
-    for (Group& group : groups_) StoreEvidence(std::move(group));
+    for (WaterBody& body : bodies_) StoreBody(std::move(body), plan_);
+    for (Group& group : groups_) StoreEvidence(std::move(group), plan_);
     JudgeSlopes(options_.profile, plan_);
     if (!known_.bodies.empty()) HoldLevelAtEdges(plan_);
   }
 
  private:
   void CollectGroups() {
-    for (std::vector<int32_t>& holes : GroupHoles(plan_)) {
+    for (std::vector<int32_t>& holes : GroupHoles(plan_, true)) {
       if (index_.cancelled()) return;
       const std::optional<size_t> decider = DeciderOf(plan_, holes, options_.areas, index_);
       const WaterArea* area = decider ? &options_.areas[*decider] : nullptr;
@@ -242,35 +239,50 @@ class WaterFinder {
     for (WaterBody& part : PartsOfKnown(known_, is_water, plan_)) bodies_.push_back(std::move(part));
   }
 
-  // The water that areas tell of.
-  void FindGiven() {
+  // The water that areas tell of. Lakes without a level are given back.
+  std::vector<OpenLake> FindGiven() {
+    std::vector<OpenLake> lakes;
     std::map<size_t, std::vector<size_t>> groups_of;
     for (size_t g = 0; g < groups_.size(); ++g) {
       const std::optional<size_t> area = groups_[g].decider;
       if (area && options_.areas[*area].water) groups_of[*area].push_back(g);
     }
-    for (const auto& [area, groups] : groups_of) {
-      if (index_.cancelled()) return;
+    for (const auto& [number, groups] : groups_of) {
+      if (index_.cancelled()) break;
+      const WaterArea& area = options_.areas[number];
       std::vector<GivenPart> parts;
       for (const size_t g : groups) {
         std::vector<RimChain> rim = RimChainsOf(plan_, groups_[g].holes);
         if (rim.empty()) continue;
         parts.push_back({g, groups_[g].area, BoundaryOf(plan_, groups_[g].holes), std::move(rim)});
       }
-      for (GivenWater& water : WaterOfArea(options_.areas[area], std::move(parts), options_.profile.least_river)) {
+      for (GivenWater& water : WaterOfArea(area, std::move(parts), options_.profile.least_river)) {
+        if (!area.level && area.kind != WaterKind::kRiver && water.body.river.stations.empty()) {
+          for (const size_t g : water.parts) groups_[g].is_open_lake = true;
+          Basin basin = BasinOf(water.parts);
+          lakes.push_back({std::move(water), std::move(basin), area.kind != WaterKind::kLake});
+          continue;
+        }
         AddBody(water.parts, std::move(water.body));
-        if (!options_.areas[area].is_as_found) continue;
+        if (!area.is_as_found) continue;
         for (const size_t g : water.parts) KeepDoubt(water.evidence, groups_[g].evidence);
       }
     }
+    return lakes;
   }
 
   // Judges the groups that are large enough, and those near water, which may be stubs of it beyond a bridge.
-  void FindByEvidence() {
+  void FindByEvidence(std::vector<OpenLake> lakes) {
     std::vector<Basin> basins;
+    for (const OpenLake& lake : lakes) basins.push_back(lake.basin);
     for (size_t g = 0; g < groups_.size(); ++g) {
       if (index_.cancelled()) return;
-      if (groups_[g].is_judged) AddBasin(g, basins);
+      if (groups_[g].area >= kJudged) AddBasin(g, basins);
+    }
+    for (const OpenLake& lake : lakes) {
+      std::erase_if(basins,
+                    [&](const Basin& b) { return std::ranges::binary_search(lake.basin.members, b.members[0]); });
+      basins.push_back(lake.basin);
     }
     std::vector<Eigen::AlignedBox2d> boxes_of_level;
     for (const Basin& basin : basins) {
@@ -278,7 +290,7 @@ class WaterFinder {
     }
     for (size_t g = 0; g < groups_.size(); ++g) {
       if (index_.cancelled()) return;
-      if (groups_[g].is_judged || groups_[g].holes.empty()) continue;
+      if (groups_[g].area >= kJudged || groups_[g].holes.empty()) continue;
       const Eigen::AlignedBox2d box = SurroundingsOf(BoundaryOf(plan_, groups_[g].holes), std::sqrt(groups_[g].area));
       const auto meets = [&](const Eigen::AlignedBox2d& other) { return other.intersects(box); };
       if (std::ranges::any_of(boxes_of_level, meets)) AddBasin(g, basins);
@@ -286,17 +298,56 @@ class WaterFinder {
     if (index_.cancelled()) return;
     basins = JoinWater(std::move(basins), options_.profile.least_river, plan_, input_, index_);
     const std::vector<GroundAround> around = GroundAroundOf(basins, plan_, input_);
-    for (size_t b = 0; b < basins.size(); ++b) Decide(basins[b], around[b]);
+    for (size_t b = 0; b < basins.size(); ++b) {
+      DecideLakes(basins[b], lakes);
+      std::erase_if(basins[b].members, [&](size_t g) { return groups_[g].decider.has_value(); });
+      if (!basins[b].members.empty()) Decide(basins[b], around[b]);
+    }
   }
 
+  // Those of the lakes that are part of the basin have its level, whatever else it is taken for.
+  void DecideLakes(const Basin& basin, std::vector<OpenLake>& lakes) {
+    std::vector<size_t> joined;
+    for (OpenLake& lake : lakes) {
+      const std::vector<size_t>& groups = lake.basin.members;
+      if (!std::ranges::binary_search(basin.members, groups[0])) continue;
+      if (basin.members.size() == groups.size() || (basin.river && !lake.may_fall)) {
+        AddBody(lake.alone.parts, std::move(lake.alone.body));
+      } else {
+        joined.insert(joined.end(), groups.begin(), groups.end());
+      }
+    }
+    if (joined.empty()) return;
+    WaterBody body = BodyOf(basin, basin.river.has_value());
+    body.forced = true;
+    AddBody(joined, std::move(body));
+  }
+
+  // What a reviewer decides is about those holes alone: their rims go on telling of the water that they were part of.
   void AddBasin(size_t g, std::vector<Basin>& basins) {
     Group& group = groups_[g];
-    if (group.decider || group.is_known) return;
-    std::vector<RimChain> rim = RimChainsOf(plan_, group.holes);
-    group.evidence.reason = kNoRim;
-    if (rim.empty()) return;
-    basins.push_back(
-        MakeBasin(g, BoundaryOf(plan_, group.holes), std::move(rim), group.area, options_.profile.least_river));
+    const bool is_given = group.decider && options_.areas[*group.decider].decision == ReviewDecision::kNone;
+    if (is_given || group.is_open_lake || group.is_known || !options_.find) return;
+    if (RimChainsOf(plan_, group.holes).empty()) {
+      if (!group.decider) group.evidence.reason = kNoRim;
+    } else {
+      basins.push_back(BasinOf({g}));
+    }
+  }
+
+  // Of groups that are one. Precondition: their rims have an edge.
+  Basin BasinOf(std::vector<size_t> groups) const {
+    std::ranges::sort(groups);
+    std::vector<int32_t> holes;
+    double area = 0;
+    for (const size_t g : groups) {
+      holes.insert(holes.end(), groups_[g].holes.begin(), groups_[g].holes.end());
+      area += groups_[g].area;
+    }
+    Basin basin =
+        MakeBasin(groups[0], BoundaryOf(plan_, holes), RimChainsOf(plan_, holes), area, options_.profile.least_river);
+    basin.members = std::move(groups);
+    return basin;
   }
 
   void Decide(const Basin& basin, const GroundAround& around) {
@@ -321,11 +372,8 @@ class WaterFinder {
       evidence.chance_wrong = ChanceOfError(verdict, basin.evidence);
     }
     if (verdict == Verdict::kNoWater) return;
-    WaterBody body;
+    WaterBody body = BodyOf(basin, verdict == Verdict::kRiver);
     body.kind = verdict == Verdict::kLevelGround ? BodyKind::kLevelGround : BodyKind::kWater;
-    DescribeRim(basin.evidence, e.sigma(), body);
-    body.level = body.shore_level = e.level;
-    if (verdict == Verdict::kRiver) body.river = basin.river->water;
     AddBody(basin.members, std::move(body));
   }
 
@@ -345,18 +393,6 @@ class WaterFinder {
     std::ranges::sort(body.holes);
     body.rim_vertices = std::ssize(RimVerticesOf(plan_, body.holes));
     bodies_.push_back(std::move(body));
-  }
-
-  void StoreBody(WaterBody body) {
-    if (body.kind == BodyKind::kWater) MarkWalls(body, plan_);
-    for (const int32_t h : body.holes) plan_.holes[h].water = static_cast<int32_t>(plan_.water.size());
-    plan_.water.push_back(std::move(body));
-  }
-
-  void StoreEvidence(Group group) {
-    if (!group.is_judged) return;
-    for (const int32_t h : group.holes) plan_.holes[h].evidence = static_cast<int32_t>(plan_.evidence.size());
-    plan_.evidence.push_back(std::move(group.evidence));
   }
 
   const PlanInput& input_;

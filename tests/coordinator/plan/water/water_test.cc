@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -19,7 +18,6 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::Not;
 using ::testing::SizeIs;
 
 Plan PlanOf(const SceneMakerOptions& scene, const WaterOptions& water = {}) {
@@ -31,11 +29,6 @@ Plan PlanOf(const SceneMakerOptions& scene, const WaterOptions& water = {}) {
 int64_t WatersOf(const Plan& plan) { return std::ranges::count(plan.water, BodyKind::kWater, &WaterBody::kind); }
 
 std::vector<Point2> Box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
-
-SceneMakerOptions ValleyOverNineCells(Cut cut, double slope) {
-  return HoleOverNineCells(
-      cut, [slope](double d, double x, double) { return kWaterLevel + slope * x + 0.1 * std::fmax(d, 0); });
-}
 
 // The direction of (x, y) from the middle of the hole, as a share of the full circle.
 double Bearing(double x, double y) { return std::atan2(y - 59, x - 61) / (2 * std::numbers::pi) + 0.5; }
@@ -197,73 +190,6 @@ TEST_P(WaterTest, NoiseOfTheSurfaceHidesNoLake) {
   EXPECT_NEAR(plan.water[0].level, kWaterLevel, 0.1);
 }
 
-TEST_P(WaterTest, AreasForceAndForbid) {
-  const SceneMakerOptions valley = ValleyOverNineCells(GetParam(), 0.02);
-  WaterOptions water;
-  water.areas = {{true, {{Box(0, 0, 120, 120)}}}};
-  const Plan forced = PlanOf(valley, water);
-  ASSERT_THAT(forced.water, SizeIs(1));
-  EXPECT_TRUE(forced.water[0].forced);
-  EXPECT_LT(forced.water[0].level, kWaterLevel + 0.02 * 120);
-  water.areas[0].water = false;
-  EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), water).water, IsEmpty());
-  water.areas.push_back({true, {{Box(0, 0, 120, 120)}}});
-  EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), water).water, SizeIs(1)) << "the last area decides";
-}
-
-TEST_P(WaterTest, AnAreaMayGiveTheLevel) {
-  WaterOptions water;
-  water.areas = {{true, {{Box(0, 0, 120, 120)}}, 11.5}};
-  const Plan plan = PlanOf(LakeOverNineCells(GetParam()), water);
-  ASSERT_THAT(plan.water, SizeIs(1));
-  EXPECT_EQ(plan.water[0].level, 11.5);
-  EXPECT_TRUE(plan.water[0].river.stations.empty());
-}
-
-TEST_P(WaterTest, AnAreaThatSaysWhatWasFoundDecidesNothing) {
-  WaterOptions water;
-  water.areas = {{true, {{Box(0, 0, 120, 120)}}, kWaterLevel}};
-  water.areas[0].level_sigma = 0.25;
-  water.areas[0].is_as_found = true;
-  const Plan plan = PlanOf(LakeOverNineCells(GetParam()), water);
-  ASSERT_THAT(plan.water, SizeIs(1));
-  EXPECT_FALSE(plan.water[0].forced);
-  EXPECT_FALSE(plan.water[0].level_is_given);
-  EXPECT_EQ(plan.water[0].sigma, 0.25);
-  const HoleEvidence& evidence = plan.evidence[plan.holes[plan.water[0].holes[0]].evidence];
-  EXPECT_EQ(evidence.area, -1);
-  EXPECT_EQ(evidence.sigma, 0.25);
-  EXPECT_GT(evidence.chance_wrong, 0);
-  EXPECT_GT(evidence.dry_difference, 0);
-}
-
-TEST_P(WaterTest, AnAreaMayGiveTheCentreline) {
-  WaterOptions water;
-  water.areas = {{true, {{Box(0, 0, 120, 120)}}, std::nullopt, {{110, 60}, {10, 60}}}};
-  const Plan plan = PlanOf(ValleyOverNineCells(GetParam(), 0.01), water);
-  ASSERT_THAT(plan.water, SizeIs(1));
-  const std::vector<Point3>& stations = plan.water[0].river.stations;
-  ASSERT_THAT(stations, Not(IsEmpty()));
-  EXPECT_GT(stations.front().x(), stations.back().x());
-  EXPECT_GT(stations.front().z(), stations.back().z() + 0.3);
-}
-
-TEST_P(WaterTest, ALakeBesideAGivenCentrelineKeepsItsLevel) {
-  SceneMakerOptions scene = LakeOverNineCells(GetParam());
-  scene.ellipses = {{{61, 30}, {55, 14}}, {{61, 90}, {40, 22}}};
-  scene.terrain = [](double x, double y) { return y < 55 ? kWaterLevel - 0.002 * x : kWaterLevel + 1; };
-  WaterOptions water;
-  water.areas = {{true, {{Box(0, 0, 120, 120)}}, std::nullopt, {{10, 30}, {110, 30}}}};
-  const Plan plan = PlanOf(scene, water);
-  ASSERT_THAT(plan.water, SizeIs(2));
-  const bool lake_first = plan.water[0].river.stations.empty();
-  const WaterBody &lake = plan.water[lake_first ? 0 : 1], &river = plan.water[lake_first ? 1 : 0];
-  EXPECT_NEAR(lake.level, kWaterLevel + 1, 0.02);
-  EXPECT_THAT(lake.river.stations, IsEmpty());
-  EXPECT_NEAR(LevelAt(river, {61, 30}, plan.lattice_step), kWaterLevel - 0.12, 0.03);
-  EXPECT_THAT(plan.water_answers[0].doubt, HasSubstr("does not run through"));
-}
-
 TEST_P(WaterTest, SmallLakesAreNotLookedFor) {
   WaterOptions water;
   EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), water).water, SizeIs(1));
@@ -271,23 +197,6 @@ TEST_P(WaterTest, SmallLakesAreNotLookedFor) {
   EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), water).water, IsEmpty());
   water.areas = {{true, {{Box(0, 0, 120, 120)}}}};
   EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), water).water, SizeIs(1));
-}
-
-TEST_P(WaterTest, AnAreaOverLessThanHalfDecidesNothing) {
-  WaterOptions water;
-  water.areas = {{false, {{Box(0, 0, 120, 50)}}}, {true, {{Box(500, 500, 600, 600)}}}, {true, {{Box(0, 0, 120, 100)}}}};
-  const Plan plan = PlanOf(LakeOverNineCells(GetParam()), water);
-  EXPECT_THAT(plan.water, SizeIs(1));
-  ASSERT_THAT(plan.water_answers, SizeIs(3));
-  for (const size_t a : {0, 1, 2}) EXPECT_EQ(plan.water_answers[a].taken, a == 2) << plan.water_answers[a].reason;
-}
-
-TEST_P(WaterTest, OffFindsNothingButWhatAreasSay) {
-  WaterOptions off;
-  off.find = false;
-  EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), off).water, IsEmpty());
-  off.areas = {{true, {{Box(0, 0, 120, 120)}}}};
-  EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), off).water, SizeIs(1));
 }
 
 TEST_P(WaterTest, EachLakeHasItsOwnLevel) {
@@ -303,27 +212,6 @@ TEST_P(WaterTest, EachLakeHasItsOwnLevel) {
   std::sort(levels.begin(), levels.end());
   EXPECT_NEAR(levels[0], 5, 0.02);
   EXPECT_NEAR(levels[1], 7, 0.02);
-}
-
-// Beside the lake a small hole in its shore, 4 cm higher, and a pond that is 2 m higher.
-TEST_P(WaterTest, OnePolygonIsOneLakeWhereShoresAgree) {
-  SceneMakerOptions scene = LakeOverNineCells(GetParam());
-  scene.ellipses = {{{50, 60}, {35, 40}}, {{91, 60}, {3, 3}}, {{107, 107}, {6, 6}}};
-  scene.terrain = [](double x, double y) {
-    if (x > 95 && y > 95) return kWaterLevel + 2;
-    return x > 86 ? kWaterLevel + 0.04 : kWaterLevel;
-  };
-  for (const std::optional<double> given : {std::optional<double>(), std::optional<double>(11.5)}) {
-    WaterOptions water;
-    water.areas = {{true, {{Box(0, 0, 120, 120)}}, given}};
-    const Plan plan = PlanOf(scene, water);
-    ASSERT_THAT(plan.water, SizeIs(2));
-    const size_t pond = plan.water[0].holes.size() < plan.water[1].holes.size() ? 0 : 1;
-    EXPECT_NEAR(plan.water[1 - pond].level, given.value_or(kWaterLevel), 0.03);
-    EXPECT_NEAR(plan.water[pond].level, given.value_or(kWaterLevel + 2), 0.02);
-    EXPECT_EQ(plan.water[0].holes.size() + plan.water[1].holes.size(), plan.holes.size());
-    EXPECT_TRUE(std::ranges::is_sorted(plan.water[1 - pond].holes));
-  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Cuts, WaterTest, ::testing::Values(Cut::kClipped, Cut::kRagged),
