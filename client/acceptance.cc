@@ -148,8 +148,13 @@ class AcceptanceCheck {
     if (!tile.path.empty()) {
       TILEMEND_ASSIGN_OR_RETURN(before, ReadCheckedTile(input_.scene.root, tile.path, tile.frame));
     }
-    ++result_.tiles;
-    result_.original_faces += std::ssize(before.faces.mesh.triangles);
+    const bool is_chosen = input_.chosen.empty() || input_.chosen.contains(tile.cell);
+    if (has_output || is_chosen) {
+      ++result_.tiles;
+      result_.original_faces += std::ssize(before.faces.mesh.triangles);
+    } else {
+      ++result_.cells_left_out;
+    }
     if (!has_output) {
       // A cell that the job was not to write, else a tile that is missing: to its neighbours it is what it was.
       CheckFaces(t, before.faces.mesh, before.faces.mesh, TileChange{{}, NoneOf(before.faces.mesh), 0});

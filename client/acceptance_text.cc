@@ -40,10 +40,14 @@ bool HasCrossings(const Acceptance& acceptance) {
 }  // namespace
 
 std::string VerdictOf(const Acceptance& acceptance) {
+  const int64_t tiles = acceptance.tiles + acceptance.cells_left_out;
+  const std::string left_out = acceptance.cells_left_out == 0 ? ""
+                                                              : absl::StrCat("; the output has ", acceptance.tiles,
+                                                                             " of ", tiles, " tiles, as --cells chose");
   if (acceptance.IsAccepted()) {
     return absl::StrCat("accepted: all ", acceptance.original_faces - acceptance.cleared_faces,
                         " original triangles are there, and nothing is wrong with the ", acceptance.added_faces,
-                        " new ones");
+                        " new ones", left_out);
   }
   std::vector<std::string> faults;
   for (const AcceptanceFinding& finding : acceptance.findings) {
@@ -53,7 +57,7 @@ std::string VerdictOf(const Acceptance& acceptance) {
   }
   std::string text = "not accepted: ";
   for (size_t i = 0; i < faults.size(); ++i) absl::StrAppend(&text, i == 0 ? "" : ", ", faults[i]);
-  return text;
+  return text + left_out;
 }
 
 std::string AcceptanceText(const Acceptance& acceptance) {
@@ -100,6 +104,7 @@ Json AcceptanceJson(const Acceptance& acceptance) {
   return {{"accepted", acceptance.IsAccepted()},
           {"verdict", VerdictOf(acceptance)},
           {"tiles", acceptance.tiles},
+          {"cells_left_out", acceptance.cells_left_out},
           {"original_triangles", acceptance.original_faces},
           {"cleared_triangles", acceptance.cleared_faces},
           {"new_triangles", acceptance.added_faces},

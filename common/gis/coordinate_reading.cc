@@ -11,6 +11,7 @@
 
 #include "common/gis/crs_files.h"
 #include "common/gis/feature_geometry.h"
+#include "common/gis/feature_properties.h"
 #include "common/util/text.h"
 
 namespace tilemend {
@@ -205,7 +206,7 @@ class Placement {
       if (best == nullptr) throw BadVectors{"no way from " + name + " to the scene's CRS '" + frame_.crs + "'"};
       x = probe.x(), y = probe.y();
       if (probe.allFinite() && best->Transform(1, &x, &y)) {
-        warnings_.push_back("no grid is installed for the shift from " + name + " to " + frame_.crs +
+        warnings_.push_back("no grid is installed for the shift from " + name + " to " + ShownName(frame_.crs) +
                             ": positions may be some metres off");
       }
     }

@@ -157,6 +157,11 @@ absl::StatusOr<fs::path> MeshOfFolder(const fs::path& folder, Findings* findings
     meshes.push_back(entry);
     if (same_name) named.push_back(entry);
   }
+  if (named.empty() && meshes.size() > 1 && IsTileTree(meshes[0].string())) {
+    return absl::NotFoundError(absl::StrCat((folder / folder.filename()).string(),
+                                            ".osgb: is not there, the top of the tile's tree; without it the ",
+                                            meshes.size(), " other files there cannot be read"));
+  }
   const std::vector<fs::path>& choice = named.empty() ? meshes : named;
   if (choice.size() > 1) {
     return absl::InvalidArgumentError(absl::StrCat(choice[0].string(), " and ", choice[1].string(),

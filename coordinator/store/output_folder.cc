@@ -52,6 +52,7 @@ absl::Status CheckApart(const std::string& path, const Scene& scene, const std::
   }
   FolderSet sources, scene_folder;
   scene_folder.Insert(root);
+  if (scene.found_by_name) sources.Insert(root);  // the next search there would find the output's tiles too
   for (const std::string& folder : FoldersOf(inputs)) {
     // Beside tiles that lie in the scene's folder itself, a folder of its own does no harm.
     if (!scene_folder.Contains(RealPath(root / folder))) sources.Insert(root / folder);

@@ -21,6 +21,14 @@ absl::StatusOr<Tileset> ReadAlone(const std::string& folder, const std::string& 
   return absl::InvalidArgumentError(absl::StrCat(folder, "/", std::string(tileset.status().message())));
 }
 
+// Whether a tileset that another names is there.
+absl::Status CheckIsThere(const std::string& folder, const std::string& entry, const std::string& external) {
+  TILEMEND_ASSIGN_OR_RETURN(const PathKind kind, FindKind(absl::StrCat(folder, "/", external)));
+  if (kind == PathKind::kFile) return absl::OkStatus();
+  return absl::NotFoundError(absl::StrCat(folder, "/", entry, ": names ", external,
+                                          ", which is not there; put it back, or export the tileset again"));
+}
+
 // Why the tilesets at these paths are no parts of their own; empty if they are.
 std::string WhyNotApart(const Tileset& tileset, const std::vector<TilesetPlace>& places) {
   for (const TilesetTile& tile : tileset.tiles) {
@@ -68,6 +76,7 @@ absl::StatusOr<TilesetLayout> ReadTilesetLayout(const std::string& folder, const
   TilesetLayout layout{frame.crs, frame.height, {}, ""};
   for (const TilesetTile& tile : tileset.tiles) {
     if (tile.external.empty()) continue;
+    TILEMEND_RETURN_IF_ERROR(CheckIsThere(folder, entry, tile.external));
     const Eigen::Matrix4d to_scene = ToScene(frame, tile);
     layout.tilesets.push_back({tile.external, {to_scene.data(), to_scene.data() + to_scene.size()}});
   }

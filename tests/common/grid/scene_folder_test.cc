@@ -139,6 +139,13 @@ TEST_F(SceneFolderTest, RefusesToGuessBetweenTwoMeshes) {
   ExpectError(absl::StatusCode::kInvalidArgument, "b.ply could both be the tile Tile_+000_+000");
 }
 
+TEST_F(SceneFolderTest, NamesTheMissingTopOfATree) {
+  folder_.Write("Data/Tile_+000_+000/Tile_+000_+000_L15_0u.osgb", "");
+  folder_.Write("Data/Tile_+000_+000/Tile_+000_+000_L16_0uu.osgb", "");
+  ExpectError(absl::StatusCode::kNotFound,
+              "Tile_+000_+000/Tile_+000_+000.osgb: is not there, the top of the tile's tree");
+}
+
 TEST_F(SceneFolderTest, NamesTheFormatThatItCannotRead) {
   folder_.Write("Tile_+000_+014/Tile_+000_+014.b3dm", "");
   ExpectError(absl::StatusCode::kInvalidArgument, "Tile_+000_+014.b3dm: format \".b3dm\" is not read");

@@ -53,6 +53,16 @@ TEST_F(OutputFolderTest, MakesItsFolderAndTakesItAwayIfNothingIsWritten) {
   EXPECT_FALSE(Exists("deep"));
 }
 
+// The next search for tiles would find the output's as well.
+TEST_F(OutputFolderTest, NothingIsWrittenIntoASceneThatWasFoundByNames) {
+  EXPECT_TRUE(Claim(folder_ / "scene/Data").ok());
+  scene_.found_by_name = true;
+  for (const char* inside : {"scene/Data", "scene/deep/out"}) {
+    EXPECT_TRUE(absl::IsInvalidArgument(Claim(folder_ / inside).status())) << inside;
+  }
+  EXPECT_TRUE(Claim(out_).ok());
+}
+
 TEST_F(OutputFolderTest, ASecondLivingJobIsRefusedWhateverItMayOverwrite) {
   const auto first = Claim(out_);
   ASSERT_TRUE(first.ok());

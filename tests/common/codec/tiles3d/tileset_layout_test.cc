@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "common/codec/tiles3d/tileset_frame.h"
@@ -65,7 +66,7 @@ TEST_F(TilesetLayoutTest, OtherwiseItIsAllOne) {
   Write("one", {});
   EXPECT_EQ(WarningOf("one"), "");
   Write("s", {.files = TilesetScene::Files::kOfTiles});
-  folder_.Write("s/x.glb", "");
+  for (const char* file : {"s/x.glb", "s/Data/x.json", "s/x.json"}) folder_.Write(file, "");
   Edit("s/tileset.json", [](Json& json) { json["root"]["content"] = {{"uri", "x.glb"}}; });
   EXPECT_THAT(WarningOf("s"), HasSubstr("it has models of its own, such as x.glb"));
   Edit("s/tileset.json", [](Json& json) { json["root"].erase("content"); });
@@ -82,6 +83,15 @@ TEST_F(TilesetLayoutTest, ErrorsNameTheFile) {
   const absl::Status none = ReadTilesetLayout(folder_ / "s", "none.json").status();
   EXPECT_TRUE(absl::IsNotFound(none));
   EXPECT_THAT(none.message(), HasSubstr(folder_ / "s/none.json"));
+}
+
+TEST_F(TilesetLayoutTest, AMissingTilesetIsNamedWithTheOneThatNamesIt) {
+  Write("s", {.files = TilesetScene::Files::kOfTiles});
+  std::filesystem::remove(folder_ / "s/Data/Tile_p000_p000/Tile_p000_p000.json");
+  const absl::Status missing = ReadTilesetLayout(folder_ / "s", "tileset.json").status();
+  EXPECT_TRUE(absl::IsNotFound(missing)) << missing;
+  EXPECT_THAT(missing.ToString(),
+              HasSubstr("s/tileset.json: names Data/Tile_p000_p000/Tile_p000_p000.json, which is not"));
 }
 
 TEST_F(TilesetLayoutTest, TheEntryGrowsWithItsTilesets) {
