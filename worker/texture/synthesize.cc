@@ -18,7 +18,6 @@ constexpr double kRimFade = 2;
 constexpr float kMostStep = 40;      // grey levels; more is an object, a mark or a shadow
 constexpr double kLevelSquare = 1;   // metres
 constexpr float kMostAboveFill = 1;  // metres, or below
-constexpr double kWaterBeside = 3;   // metres of water beside the fill
 constexpr double kWaterGrain = 1.5;  // grey levels
 constexpr int kRimSweeps = 30;
 
@@ -54,9 +53,9 @@ class LayerMaker {
     if (look.given_water) {
       colours_.assign(make_.size(), ChannelsOf(*look.given_water));
     } else {
-      beside_ = Dilated(hole_, frame_, PixelsIn(kWaterBeside, frame_));
+      beside_ = Dilated(hole_, frame_, PixelsIn(kRimBand, frame_));
       for (size_t i = 0; i < sources.size(); ++i) beside_[i] = beside_[i] != 0 && sources[i] != 0 ? 1 : 0;
-      SetBase(look.water);
+      colours_.assign(make_.size(), ChannelsOf(look.water));  // one for the whole body, in all cells
       SpreadRimStep();
     }
     ForEachMade([&](int32_t x, int32_t y, size_t at) {

@@ -40,11 +40,14 @@ inline constexpr int64_t kBytesPerPixel = 64;
 // The raster's colours, those of kGround and kWater made anew. Pixels without surface or fill have that of the nearest
 // one in their row, or else column.
 //  - Base: the geometric median of the surface up to 40 m away and at most 3 m beside the hole that is within 0.4 m of
-//    the fill's height (of water: within 0.6 m of the level), by medians of squares of 0.5 m (base_colours.h).
+//    the fill's height, by medians of squares of 0.5 m (base_colours.h). Of water the flat colour, that of its shore,
+//    so that a body looks the same in all cells.
 //  - Lanes and kerbs: along the direction of the structure around, where there is one (streamlines.h). Sources are
 //    pixels at most 0.4 m above an opening of 20 m and within 1 m of the fill's height, 0.5 m away from the fill and
 //    from objects, and no shadows.
-//  - Rim: the step of colours at the rim is spread inward, and fades over some 2 m.
+//  - Rim: the step of colours at the rim, of water where the surface is within 0.6 m of the level, is spread inward,
+//  and
+//    fades over some 2 m.
 //  - Grain: noise with the spectrum of the sources (grain.h); of water white noise.
 // All lattices are anchored to absolute coordinates: equal rasters of two cells give equal colours, and results depend
 // on nothing else. Cost: linear in the pixels of the raster; of the fill, in the length of its streamlines.

@@ -98,14 +98,15 @@ void EraseBanks(double slope, std::vector<StationLevel>& levels) {
   std::erase_if(levels, [&](const StationLevel& s) { return at(s) > middle + limit; });
 }
 
-// The level of every station from those that have one.
-void Interpolate(const std::vector<StationLevel>& known, const std::vector<double>& levels,
+// The level of every station from those that have one; beyond the first and last along the slope.
+void Interpolate(const std::vector<StationLevel>& known, const std::vector<double>& levels, double slope,
                  std::vector<Point3>& stations) {
   for (size_t k = 0; k < stations.size(); ++k) {
     const auto next = std::ranges::lower_bound(known, k, {}, &StationLevel::station);
     const auto i = static_cast<size_t>(next - known.begin());
     if (i == 0 || i == known.size()) {
-      stations[k].z() = i == 0 ? levels.front() : levels.back();
+      const size_t end = i == 0 ? 0 : i - 1;
+      stations[k].z() = levels[end] + slope * (static_cast<double>(k) - static_cast<double>(known[end].station));
       continue;
     }
     const auto whole = static_cast<double>(known[i].station - known[i - 1].station);
@@ -179,7 +180,7 @@ RiverProfile FitRiver(const std::vector<Point2>& line, std::span<const RimChain>
   EraseBanks(-std::abs(fall.slope), known);
   std::vector<double> levels, weights;
   for (const StationLevel& s : known) levels.push_back(s.level), weights.push_back(s.edges);
-  Interpolate(known, NotRising(levels, weights), profile.water.stations);
+  Interpolate(known, NotRising(levels, weights), -std::abs(fall.slope), profile.water.stations);
   return profile;
 }
 

@@ -64,7 +64,7 @@ TEST(SynthesizeTest, APartOfTheHoleIsMadeAsTheWholeIs) {
   EXPECT_LT(differing, 400);  // of 800; blocks of grain beyond the part are not laid
 }
 
-TEST(SynthesizeTest, WaterTakesNoColourOfItsBank) {
+TEST(SynthesizeTest, WaterHasTheColourOfItsBodyAndNoneOfItsBank) {
   const RasterFrame frame{0.25, 0, 0, 200, 200};
   OrthoRaster raster = RasterOf(frame, [](int64_t x, int64_t) {
     return x < 100 ? Rgb{40, 60, 50} : Rgb{200, 180, 160};
@@ -73,12 +73,15 @@ TEST(SynthesizeTest, WaterTakesNoColourOfItsBank) {
     for (int32_t x = 100; x < 200; ++x) raster.heights[frame.At(x, y)] = 2;
   }
   const std::vector<FillPixel> fill = CutHole(raster, 60, 60, 100, 140, FillPixel::kWater);
-  const std::vector<Rgb> made = Synthesize(raster, MapOf(fill), {});
+  FillLook look;
+  look.water = {44, 60, 50};
+  const std::vector<Rgb> made = Synthesize(raster, MapOf(fill), look);
   for (size_t i = 0; i < fill.size(); ++i) {
     if (fill[i] == FillPixel::kWater) {
-      EXPECT_NEAR(made[i].r, 40, 9);
+      EXPECT_NEAR(made[i].r, 42, 9);
     }
   }
+  EXPECT_NEAR(made[frame.At(80, 100)].r, 44, 6) << "5 m from the rim";
 }
 
 // Noisy water has pits everywhere, and so is higher than an opening of 20 m; a street beside it is as high as it is.
