@@ -79,7 +79,7 @@ void UniteBodies(std::vector<VectorFeature>& features) {
     one.holes.clear();
     for (const VectorFeature& part : body->second)
       one.holes.insert(one.holes.end(), part.holes.begin(), part.holes.end());
-    if (parts > 1) one.label += " and " + std::to_string(parts - 1) + " more of its body";
+    if (parts > 1) one.label += " and " + std::to_string(parts - 1) + " more";
     bodies.erase(body);
   }
   features = std::move(united);

@@ -133,7 +133,7 @@ TEST(RawFeaturesTest, HolesOfOneBodyAreOneAreaIfTheySayTheSame) {
                      "f", {});
   ASSERT_TRUE(file.ok()) << file.status();
   ASSERT_THAT(file->areas, SizeIs(3));
-  EXPECT_EQ(file->areas[0].label, "feature 0 and 2 more of its body");
+  EXPECT_EQ(file->areas[0].label, "feature 0 and 2 more");
   for (const double x : {1., 3.5, 5., 7.}) EXPECT_TRUE(Contains(file->areas[0].polygon, {x, 1})) << x;
   EXPECT_FALSE(Contains(file->areas[0].polygon, {9, 1}));
   EXPECT_EQ(file->areas[2].level, 4);

@@ -166,7 +166,7 @@ TEST_F(SceneGeoJsonTest, HolesCanBeGivenBackAsWater) {
   const auto again = ParseWaterFile({HolesGeoJson(input_, scene_)}, "holes.geojson", FrameOf(scene_));
   ASSERT_TRUE(again.ok()) << again.status();
   ASSERT_THAT(again->areas, SizeIs(1)) << "one body";
-  EXPECT_EQ(again->areas[0].label, "feature 0 and 1 more of its body");
+  EXPECT_EQ(again->areas[0].label, "feature 0 and 1 more");
   EXPECT_EQ(again->areas[0].level, 12.5);
   EXPECT_EQ(again->areas[0].kind, WaterKind::kLake);
   for (const double x : {65, 120}) EXPECT_TRUE(tilemend::Contains(again->areas[0].polygon, {x, 50})) << x;
