@@ -213,8 +213,9 @@ int RunCommand(const Args& args) {
   if (!job.ok()) return PrintError(job.status());
   if (job->state() == v1::FAILED) PrintError(StatusFromProto(job->error()));
   if (LeftUnfinished(*job)) {
-    std::fprintf(stderr, "tilemend: %s is not complete; the same command completes it\n",
-                 Printable(spec->out()).c_str());
+    const char* const first = ExitCodeOf(*job) == kExitInvalidInput ? "once that is mended, " : "";
+    std::fprintf(stderr, "tilemend: %s is not complete; %sthe same command completes it\n",
+                 Printable(spec->out()).c_str(), first);
   }
   const std::string page = WritePage(*job);
   if (LacksPage(*job)) {

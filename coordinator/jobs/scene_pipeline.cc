@@ -240,7 +240,9 @@ class TaskFlow {
     const absl::Status& error = result.output.status();
     const bool given_up = ErrorReason(error) == "QUARANTINED" || ErrorReason(error) == "RESULT_REFUSED";
     if (result.stage == Stage::kMeasure || result.stage == Stage::kSurvey) return error;
-    if (!given_up && (result.stage == Stage::kAssemble || !absl::IsInternal(error))) return error;
+    if (!given_up && (result.stage == Stage::kAssemble || !absl::IsInternal(error))) {
+      return InCell(result.cell, result.stage, error);
+    }
     const LeftWork::Kind kind = LeftBy(result.stage);
     if (kind == LeftWork::Kind::kHoles) tasks_.Forget(result.cell);
     return waves_.Take(LeftWork{kind, result.cell, std::string(error.message())});

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "common/util/stage_words.h"
 
 namespace tilemend {
 namespace {
@@ -51,6 +52,14 @@ absl::StatusOr<StageResult> DecodeResult(TaskResult result, DecodedSurveys* surv
 absl::Status UnreadableResult(CellId cell, const absl::Status& reason) {
   return absl::InternalError(
       absl::StrCat("a worker's result for cell ", ToString(cell), " cannot be read: ", std::string(reason.message())));
+}
+
+absl::Status InCell(CellId cell, Stage stage, const absl::Status& error) {
+  if (!absl::IsInvalidArgument(error)) return error;
+  absl::Status placed = absl::InvalidArgumentError(
+      absl::StrCat("cell ", ToString(cell), ", ", StageWordsOf(StageName(stage)), ": ", std::string(error.message())));
+  error.ForEachPayload([&](absl::string_view type, const absl::Cord& payload) { placed.SetPayload(type, payload); });
+  return placed;
 }
 
 int32_t NumberOf(const StageOutput& output) {

@@ -39,6 +39,10 @@ absl::StatusOr<StageResult> DecodeResult(TaskResult result, DecodedSurveys* surv
 // kInternal, with the reason.
 absl::Status UnreadableResult(CellId cell, const absl::Status& reason);
 
+// The error of a task that could not be done. What is wrong with its input, kInvalidArgument, names no place by itself:
+// the cell and what was done there come before it. The reason for programs stays.
+absl::Status InCell(CellId cell, Stage stage, const absl::Status& error);
+
 // The number that tells this result from others of its cell and stage.
 int32_t NumberOf(const StageOutput& output);
 

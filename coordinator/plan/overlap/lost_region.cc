@@ -32,4 +32,12 @@ bool IsLostRegion(const Plan& plan, const std::vector<RimSegment>& hole, const s
   return whole - AreaOf(plan, region) > std::max(kLostArea, kLostShare * whole);
 }
 
+bool IsSliver(const Plan& plan, const std::vector<RimSegment>& hole, double width) {
+  double length = 0;
+  for (const RimSegment& s : hole) {
+    length += (plan.vertices[s.to].position - plan.vertices[s.from].position).head<2>().norm();
+  }
+  return AreaOf(plan, hole) <= width * length / 2;
+}
+
 }  // namespace tilemend

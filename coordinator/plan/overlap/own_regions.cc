@@ -185,6 +185,7 @@ class CellRegions {
         record_(joint.own.contains(cell) ? *joint.own.at(cell) : NoTile()),
         square_(joint.squares.at(cell)),
         in_picture_(in_picture),
+        reach_(std::max(own.pieces.reach, kMeetTolerance)),
         plan_(plan),
         new_(cell, outline_, plan) {
     for (const Side s : kSides) outline_.side[s] = own.At(cell, s);
@@ -217,19 +218,27 @@ class CellRegions {
       const bool is_at_outline = std::ranges::any_of(members.gaps, &OutlineGap::open);  // of the tile
       const bool is_ring = chains_.walk.all_open && !line.empty() && !is_at_outline;
       if (is_ring) AddRing(line, region);
-      const bool on_outline = is_ring || is_at_outline, is_own = whole < region.size();
-      DropDoubled(region);
-      if (!region.empty() && IsLostRegion(plan_, first.segments, region, on_outline)) {
-        first.failure = kLost;
-      } else if (is_own) {
-        first.own_regions = {std::move(region)};
-      } else if (whole < first.segments.size()) {
-        first.segments.clear();  // a sliver beside the line that no chain of the tile bounds
-      }
+      Settle(first, std::move(region), whole, is_ring || is_at_outline);
     }
   }
 
  private:
+  // Gives a hole what bounds its own region, first `whole` of its segments. It may bound nothing, where a link runs
+  // back along the only edge.
+  void Settle(PlannedHole& hole, std::vector<RimSegment> region, size_t whole, bool on_outline) const {
+    const bool is_own = whole < region.size();
+    DropDoubled(region);
+    const bool is_none = region.empty();
+    if (is_none ? is_own && !IsSliver(plan_, hole.segments, reach_)
+                : IsLostRegion(plan_, hole.segments, region, on_outline)) {
+      hole.failure = kLost;
+    } else if (is_own && !is_none) {
+      hole.own_regions = {std::move(region)};
+    } else if (is_own || whole < hole.segments.size()) {
+      hole.segments.clear();  // a sliver beside a line that no chain of the tile bounds, or where pieces just part
+    }
+  }
+
   int32_t PlanVertexOf(int32_t own) const { return plan_.vertex_of_boundary.at(cell_)[own]; }
 
   void AddEdge(const BoundaryEdge& e, const PlannedHole& hole, std::vector<RimSegment>& region) {
@@ -372,6 +381,7 @@ class CellRegions {
   const SurveyRecord& record_;
   const ClipSquare& square_;
   const std::vector<bool>& in_picture_;  // of each plan vertex of the joint tiles: whether it bounds a hole
+  const double reach_;                   // metres: pieces overlap, or part, by less
   Plan& plan_;
   Outline outline_;
   OutlineVertices new_;

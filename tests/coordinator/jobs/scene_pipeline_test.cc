@@ -237,11 +237,13 @@ TEST_F(ScenePipelineTest, TheHolesOfATileThatIsNotWrittenAreNotFilled) {
 
 TEST_F(ScenePipelineTest, AnErrorThatIsNotOfTheCellAloneFailsTheJob) {
   for (const Stage stage : {Stage::kFill, Stage::kAssemble}) {
-    const absl::Status error = absl::ResourceExhaustedError("the disk is full");
-    EXPECT_EQ(Run([&](TaskResult& result) {
-                if (result.stage == stage) result.output = error;
-              }).status(),
-              error);
+    absl::Status error = absl::ResourceExhaustedError("the disk is full");
+    const auto fail = [&](TaskResult& result) {
+      if (result.stage == stage) result.output = error;
+    };
+    EXPECT_EQ(Run(fail).status(), error);
+    error = absl::InvalidArgumentError("malformed");
+    EXPECT_THAT(std::string(Run(fail).status().message()), ::testing::MatchesRegex("cell \\+.*: malformed"));
   }
 }
 

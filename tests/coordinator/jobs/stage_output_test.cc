@@ -5,6 +5,8 @@
 #include <string>
 #include <variant>
 
+#include "common/util/error_info.h"
+
 namespace tilemend {
 namespace {
 
@@ -29,6 +31,16 @@ TEST(StageOutputTest, TellsResultsOfOneCellApart) {
   smoothed.set_number(4);
   EXPECT_EQ(NumberOf(StageOutput(sampled)), 3);
   EXPECT_EQ(NumberOf(StageOutput(smoothed)), 4);
+}
+
+TEST(StageOutputTest, AWrongInputNamesItsCell) {
+  const absl::Status wrong = WithErrorInfo(absl::InvalidArgumentError("malformed"), {"A_REASON", {}});
+  const absl::Status placed = InCell({1, 2}, Stage::kFill, wrong);
+  EXPECT_TRUE(absl::IsInvalidArgument(placed));
+  EXPECT_EQ(placed.message(), "cell +001_+002, fill the holes: malformed");
+  EXPECT_EQ(ErrorReason(placed), "A_REASON");
+  const absl::Status full = absl::ResourceExhaustedError("/mnt: the disk is full");
+  EXPECT_EQ(InCell({1, 2}, Stage::kFill, full), full);
 }
 
 TEST(StageOutputTest, SaysWhatIsUnchanged) {

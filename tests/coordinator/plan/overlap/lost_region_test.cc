@@ -42,5 +42,13 @@ TEST(IsLostRegionTest, WhereNothingIsLeftOfTheBoundary) {
   EXPECT_FALSE(IsLostRegion(plan, hole, region, false));
 }
 
+TEST(IsSliverTest, WhatIsNarrowerThanPiecesOverlap) {
+  Plan plan;
+  const auto strip = Box(1e6, 0, 1e6 + 20, 0.2, plan);
+  EXPECT_TRUE(IsSliver(plan, strip, 0.21));
+  EXPECT_FALSE(IsSliver(plan, strip, 0.19));
+  EXPECT_FALSE(IsSliver(plan, Box(0, 0, 1, 1, plan), 0.25)) << "small, but a hole";
+}
+
 }  // namespace
 }  // namespace tilemend
