@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -35,6 +37,45 @@ bool IsAnyFilled(const DeliveryTile& tile) {
   });
 }
 
+using Position = std::array<uint64_t, 3>;  // its bits
+
+Position PositionOf(const Point3& point) {
+  Position bits;
+  for (size_t axis = 0; axis < 3; ++axis) bits[axis] = std::bit_cast<uint64_t>(point[static_cast<int>(axis)]);
+  return bits;
+}
+
+// The positions on the rim of a piece: an edge there is not in as many triangles one way as the other.
+std::set<Position> RimOf(const DeliveryPiece& piece) {
+  std::map<Position, int32_t> number;
+  std::vector<std::pair<std::pair<int32_t, int32_t>, int32_t>> edges;  // from lower to higher, and 1, or back and -1
+  for (const DeliverySurface& surface : piece.surfaces) {
+    for (const Triangle& triangle : surface.mesh.triangles) {
+      std::array<int32_t, 3> at{};
+      for (size_t k = 0; k < 3; ++k) {
+        const Position position = PositionOf(surface.mesh.points[static_cast<size_t>(triangle[k])]);
+        at[k] = number.try_emplace(position, static_cast<int32_t>(number.size())).first->second;
+      }
+      for (size_t k = 0; k < 3; ++k) {
+        const int32_t from = at[k], to = at[(k + 1) % 3];
+        if (from != to) edges.push_back({std::minmax(from, to), from < to ? 1 : -1});
+      }
+    }
+  }
+  std::ranges::sort(edges);
+  std::vector<bool> is_rim(number.size(), false);
+  for (size_t i = 0, j = 0; i < edges.size(); i = j) {
+    int32_t more = 0;
+    for (; j < edges.size() && edges[j].first == edges[i].first; ++j) more += edges[j].second;
+    if (more != 0) is_rim[edges[i].first.first] = is_rim[edges[i].first.second] = true;
+  }
+  std::set<Position> rim;
+  for (const auto& [position, at] : number) {
+    if (is_rim[at]) rim.insert(position);
+  }
+  return rim;
+}
+
 class PlyMaker {
  public:
   PlyMaker(const DeliveryTile& tile, const std::string& stem)
@@ -44,6 +85,8 @@ class PlyMaker {
     files_.push_back({stem_ + ".ply", ""});
     for (const std::string& image : tile_.images) AddImage(image);
     for (const DeliveryPiece& piece : tile_.pieces) {
+      ++piece_;
+      if (tile_.pieces.size() > 1) rim_ = RimOf(piece);
       for (const DeliverySurface& surface : piece.surfaces) {
         TILEMEND_ASSIGN_OR_RETURN(const int32_t image, ImageFor(surface));
         for (const Triangle& triangle : surface.mesh.triangles) AddFace(surface, triangle, image);
@@ -54,7 +97,7 @@ class PlyMaker {
   }
 
  private:
-  using VertexKey = std::pair<std::array<uint64_t, 3>, uint32_t>;  // bits of the position, colour
+  using VertexKey = std::tuple<Position, uint32_t, int32_t>;  // with the colour and the piece
 
   int32_t AddImage(std::string bytes) {
     const auto number = static_cast<int32_t>(files_.size()) - 1;
@@ -106,11 +149,9 @@ class PlyMaker {
   }
 
   int32_t VertexOf(const Point3& point, const Rgb& colour) {
-    VertexKey key;
-    for (size_t axis = 0; axis < 3; ++axis) {
-      key.first[axis] = std::bit_cast<uint64_t>(point[static_cast<int>(axis)]);
-    }
-    key.second = has_images_ ? 0 : NumberOf(colour);
+    const Position position = PositionOf(point);
+    const bool is_shared = tile_.pieces.size() == 1 || rim_.contains(position);
+    const VertexKey key = {position, has_images_ ? 0 : NumberOf(colour), is_shared ? -1 : piece_};
     const auto [at, is_new] = numbers_.try_emplace(key, static_cast<int32_t>(points_.size()));
     return is_new ? NewVertex(point, colour) : at->second;
   }
@@ -160,6 +201,8 @@ class PlyMaker {
   const bool has_images_, has_marks_;
   std::vector<DeliveryFile> files_;
   std::map<uint32_t, int32_t> plain_;  // images of one colour
+  int32_t piece_ = -1;                 // that is written
+  std::set<Position> rim_;             // of it, where there are several
   std::map<VertexKey, int32_t> numbers_;
   std::vector<Point3> points_;
   std::vector<Rgb> colours_;

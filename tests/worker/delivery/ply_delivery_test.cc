@@ -71,6 +71,25 @@ TEST(PlyDeliveryTest, FlatTrianglesAreWritten) {
   EXPECT_EQ(read.mesh.points[3], Point3(0, 0, 0));
 }
 
+// A fan around a vertex, with its rim at `x` on the one side.
+DeliveryPiece FanTo(double x) {
+  DeliverySurface fan{{{{0, 0, 0}, {x, -1, 0}, {x, 1, 0}, {-x, 0, 0}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}}, {}, -1, {}};
+  if (x < 0) {
+    for (Triangle& t : fan.mesh.triangles) std::swap(t[1], t[2]);
+  }
+  return {-1, 0, {fan}};
+}
+
+TEST(PlyDeliveryTest, PiecesThatOverlapAreNotJoinedWithinTheirSurface) {
+  DeliveryTile tile;
+  tile.pieces = {FanTo(1), FanTo(2)};
+  EXPECT_EQ(ReadPly(PlyFilesOf(tile, "a")->at(0)).mesh.points.size(), 8U) << "(0, 0, 0) is within both";
+  tile.pieces = {FanTo(1), FanTo(-1)};
+  EXPECT_EQ(ReadPly(PlyFilesOf(tile, "a")->at(0)).mesh.points.size(), 8U);
+  tile.pieces[1].surfaces[0].mesh = {{{1, 1, 0}, {1, -1, 0}, {3, 0, 0}}, {{0, 1, 2}}};
+  EXPECT_EQ(ReadPly(PlyFilesOf(tile, "a")->at(0)).mesh.points.size(), 5U) << "they share what is on both rims";
+}
+
 TEST(PlyDeliveryTest, CoordinatesAreFloat32OnlyIfThatKeepsTheirBits) {
   EXPECT_THAT(PlyFilesOf(TwoSurfaces(0.5), "a")->at(0).bytes, HasSubstr("property float x"));
   const auto wide = PlyFilesOf(TwoSurfaces(0.1), "a");
