@@ -1,6 +1,10 @@
 #include "worker/delivery/obj_delivery.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <cstddef>
+#include <cstdint>
 #include <set>
 #include <utility>
 
@@ -66,14 +70,19 @@ class ObjMaker {
     }
   }
 
+  // Its number.
+  int64_t AddPoint(const Point3& point) {
+    obj_ += 'v';
+    for (int k = 0; k < 3; ++k) AppendNumber(point[k], obj_);
+    obj_ += '\n';
+    return ++points_;
+  }
+
   void AddSurface(const DeliverySurface& surface) {
     const std::string name = MaterialOf(surface);
     AddMaterial(surface, name);
-    for (const Point3& point : surface.mesh.points) {
-      obj_ += 'v';
-      for (int k = 0; k < 3; ++k) AppendNumber(point[k], obj_);
-      obj_ += '\n';
-    }
+    const int64_t first = points_ + 1;
+    for (const Point3& point : surface.mesh.points) AddPoint(point);
     for (const std::array<float, 2>& uv : surface.uv) {
       obj_ += "vt";
       for (const float value : uv) AppendNumber(value, obj_);
@@ -81,14 +90,20 @@ class ObjMaker {
     }
     absl::StrAppend(&obj_, "usemtl ", name, "\n");
     for (const Triangle& triangle : surface.mesh.triangles) {
+      std::array<int64_t, 3> numbers{};
+      for (size_t k = 0; k < 3; ++k) {
+        numbers[k] = first + triangle[k];
+        // Readers leave out a face that names one vertex twice.
+        if (std::find(numbers.begin(), numbers.begin() + k, numbers[k]) == numbers.begin() + k) continue;
+        numbers[k] = AddPoint(surface.mesh.points[static_cast<size_t>(triangle[k])]);
+      }
       obj_ += 'f';
-      for (const int32_t corner : triangle) {
-        AppendNumber(points_ + corner + 1, obj_);
-        if (!surface.uv.empty()) absl::StrAppend(&obj_, "/", places_ + corner + 1);
+      for (size_t k = 0; k < 3; ++k) {
+        AppendNumber(numbers[k], obj_);
+        if (!surface.uv.empty()) absl::StrAppend(&obj_, "/", places_ + triangle[k] + 1);
       }
       obj_ += '\n';
     }
-    points_ += std::ssize(surface.mesh.points);
     places_ += std::ssize(surface.uv);
   }
 

@@ -125,11 +125,8 @@ class PlyMaker {
       const Rgb& colour = surface.colours.empty() ? surface.colour : surface.colours[v];
       const auto end = numbers.begin() + static_cast<std::ptrdiff_t>(k);
       numbers[k] = VertexOf(surface.mesh.points[v], colour);
-      if (std::find(numbers.begin(), end, numbers[k]) != end) {
-        // Two vertices at one position: readers leave out a face that names one vertex twice.
-        const size_t same = static_cast<size_t>(std::ranges::find(triangle, triangle[k]) - triangle.begin());
-        numbers[k] = same < k ? numbers[same] : NewVertex(surface.mesh.points[v], colour);
-      }
+      // Readers leave out a face that names one vertex twice.
+      if (std::find(numbers.begin(), end, numbers[k]) != end) numbers[k] = NewVertex(surface.mesh.points[v], colour);
       AppendNumber(numbers[k], faces_);
     }
     if (image >= 0) AddPlaces(surface, triangle, image);

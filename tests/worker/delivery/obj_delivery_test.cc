@@ -35,6 +35,26 @@ TEST(ObjDeliveryTest, CoordinatesAndPlacesAreReadAsTheyWere) {
   EXPECT_EQ(read->textures.libraries, std::vector<std::string>{"a.mtl"});
 }
 
+TEST(ObjDeliveryTest, AFaceThatNamesAVertexTwiceIsKept) {
+  DeliverySurface flat;
+  flat.mesh = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 0}, {0, 1, 2}, {2, 2, 2}}};
+  flat.uv = {{0, 0}, {1, 0}, {0, 1}};
+  DeliveryTile tile;
+  tile.pieces.resize(2, {-1, 0, {flat}});
+  const auto read = ParseTexturedObj(ObjFilesOf(tile, "a")[0].bytes, "a.obj");
+  ASSERT_TRUE(read.ok()) << read.status();
+  ASSERT_EQ(read->file.mesh.triangles.size(), 6U);
+  for (size_t t = 0; t < 6; ++t) {
+    for (size_t k = 0; k < 3; ++k) {
+      const auto v = static_cast<size_t>(read->file.mesh.triangles[t][k]);
+      const auto place = static_cast<size_t>(read->textures.corners[t][k]);
+      const auto own = static_cast<size_t>(flat.mesh.triangles[t % 3][k]);
+      EXPECT_EQ(read->file.mesh.points.at(v), flat.mesh.points[own]);
+      EXPECT_EQ(read->textures.coordinates.at(place), flat.uv[own]);
+    }
+  }
+}
+
 TEST(ObjDeliveryTest, AColourIsAMaterial) {
   const TriMesh mesh{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1, 2}}};
   const std::vector<ColourRun> runs = {{0, {255, 0, 0}}};

@@ -67,8 +67,8 @@ TEST(PlyDeliveryTest, FlatTrianglesAreWritten) {
   ASSERT_TRUE(files.ok()) << files.status();
   EXPECT_THAT(files->at(0).bytes, HasSubstr("element face 4\n"));
   const MeshFile read = ReadPly(files->at(0));
-  EXPECT_EQ(read.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 1, 3}}));
-  EXPECT_EQ(read.mesh.points[3], Point3(0, 0, 0));
+  EXPECT_EQ(read.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 1, 3}, {0, 4, 5}, {1, 6, 2}}));
+  for (const size_t same : {3, 4, 5}) EXPECT_EQ(read.mesh.points[same], Point3(0, 0, 0));
 }
 
 // A fan around a vertex, with its rim at `x` on the one side.
