@@ -22,6 +22,13 @@ constexpr double kConeReaches[] = {0.15, 0.4, 0.8};
 // Longer ones would take long, and no one tip sees all of them.
 constexpr size_t kLongestBase = 200;
 
+// An edge from there to the tip would have four triangles.
+bool PassesAPlaceTwice(std::vector<Point3> base) {
+  const auto is_before = [](const Point3& a, const Point3& b) { return std::ranges::lexicographical_compare(a, b); };
+  std::ranges::sort(base, is_before);
+  return std::ranges::adjacent_find(base) != base.end();
+}
+
 std::vector<Point3> TipsFor(std::span<const Point3> base) {
   Point3 middle = Point3::Zero();
   for (const Point3& p : base) middle += p / static_cast<double>(base.size());
@@ -75,6 +82,7 @@ std::optional<ConeFill> CloseByCone(std::span<const Point3> loop, std::span<cons
     before = clipped.rest.size();
     std::vector<Point3> base;
     for (const int32_t i : clipped.rest) base.push_back(loop[i]);
+    if (PassesAPlaceTwice(base)) continue;
     double least = std::numeric_limits<double>::infinity();
     ConeFill cone;
     for (const Point3& wanted : TipsFor(base)) {

@@ -84,6 +84,59 @@ std::vector<VertexLoop> LoopsAround(const Piece& piece, const PatchEdit& edit) {
   return loops;
 }
 
+bool FacesDown(const VertexLoop& loop, const PatchEdit& edit) {
+  Eigen::Vector3d area = Eigen::Vector3d::Zero();
+  for (size_t i = 1; i + 1 < loop.size(); ++i) {
+    area += TwiceVectorArea(SpaceTriangle{edit.At(loop[0]), edit.At(loop[i]), edit.At(loop[i + 1])});
+  }
+  return area.z() < -kFacesUp * area.norm();
+}
+
+// Each loop closed by itself, unless one faces down.
+void AddApart(std::span<const VertexLoop> loops, const PatchEdit& edit, std::vector<Boundary>& boundaries) {
+  if (std::ranges::any_of(loops, [&](const VertexLoop& loop) { return FacesDown(loop, edit); })) return;
+  Boundary& apart = boundaries.emplace_back();
+  for (const VertexLoop& loop : loops) apart.push_back({loop, {}});
+}
+
+// None if no bridge may be built.
+std::optional<BridgedLoop> Tied(std::vector<VertexLoop> loops, const PatchEdit& edit) {
+  std::set<VertexPair> bridges;
+  const BridgeEnds ends = {
+      [&](int32_t v) { return edit.At(v); },
+      [&](int32_t a, int32_t b) { return edit.MayJoin(a, b) && !bridges.contains(Undirected(a, b)); }};
+  while (loops.size() > 1) {
+    const std::vector<Bridge> next = BridgesFrom(ends, loops);
+    if (next.empty()) return std::nullopt;
+    const VertexPair tied = Undirected(loops[0][next[0].from], loops[next[0].loop][next[0].to]);
+    if (BuildBridge(next[0], loops)) bridges.insert(tied);
+  }
+  return BridgedLoop{std::move(loops[0]), std::move(bridges)};
+}
+
+// The ways to see the boundary, the best first. Several loops are closed one by one, as a hole in a facade over one
+// in the ground. Or they are tied to one loop by the shortest ways, as the outer and the inner loop of a ring. Or
+// they are cut where they pass a vertex more than once, and the parts closed one by one. None if it forms no loops,
+// or they are too long; one without loops if there is no boundary: the piece closes nothing.
+std::vector<Boundary> BoundariesOf(const Piece& piece, const PatchEdit& edit) {
+  const std::vector<VertexLoop> loops = LoopsAround(piece, edit);
+  std::vector<Boundary> boundaries;
+  if (loops.size() > 1) AddApart(loops, edit, boundaries);
+  if (loops.size() == 1) boundaries.push_back({{loops[0], {}}});
+  if (loops.size() > 1) {
+    if (std::optional<BridgedLoop> tied = Tied(loops, edit)) boundaries.push_back({*std::move(tied)});
+  }
+  if (loops.empty()) boundaries.emplace_back();
+  std::vector<VertexLoop> parts;
+  for (const VertexLoop& loop : loops) std::ranges::move(CutWhereItTouches<int32_t>(loop), std::back_inserter(parts));
+  const bool closable = std::ranges::all_of(parts, [](const VertexLoop& part) { return part.size() > 2; });
+  if (closable && parts.size() > loops.size()) AddApart(parts, edit, boundaries);
+  std::erase_if(boundaries, [](const Boundary& boundary) {
+    return std::ranges::any_of(boundary, [](const BridgedLoop& b) { return b.loop.size() > kLongestLoop; });
+  });
+  return boundaries;
+}
+
 bool CrossThemselves(std::span<const Triangle> triangles, std::span<const Point3> places) {
   std::vector<SpaceTriangle> placed;
   for (const Triangle& t : triangles) placed.push_back({places[t[0]], places[t[1]], places[t[2]]});
@@ -236,51 +289,6 @@ class CrossingMender {
       return true;
     edit.TakeOutFrom(first);
     return false;
-  }
-
-  // The ways to see the boundary, the best first. Several loops are closed one by one, as a hole in a facade over one
-  // in the ground. Or they are tied to one loop by the shortest ways, as the outer and the inner loop of a ring. None
-  // if it forms no loops, or they are too long; one without loops if there is no boundary: the piece closes nothing.
-  static std::vector<Boundary> BoundariesOf(const Piece& piece, const PatchEdit& edit) {
-    const std::vector<VertexLoop> loops = LoopsAround(piece, edit);
-    std::vector<Boundary> boundaries;
-    const auto is_lid = [&](const VertexLoop& loop) { return FacesDown(loop, edit); };
-    if (loops.size() > 1 && std::ranges::none_of(loops, is_lid)) {
-      Boundary& apart = boundaries.emplace_back();
-      for (const VertexLoop& loop : loops) apart.push_back({loop, {}});
-    }
-    if (loops.size() == 1) boundaries.push_back({{loops[0], {}}});
-    if (loops.size() > 1) {
-      if (std::optional<BridgedLoop> tied = Tied(loops, edit)) boundaries.push_back({*std::move(tied)});
-    }
-    if (loops.empty()) boundaries.emplace_back();
-    std::erase_if(boundaries, [](const Boundary& boundary) {
-      return std::ranges::any_of(boundary, [](const BridgedLoop& b) { return b.loop.size() > kLongestLoop; });
-    });
-    return boundaries;
-  }
-
-  static bool FacesDown(const VertexLoop& loop, const PatchEdit& edit) {
-    Eigen::Vector3d area = Eigen::Vector3d::Zero();
-    for (size_t i = 1; i + 1 < loop.size(); ++i) {
-      area += TwiceVectorArea(SpaceTriangle{edit.At(loop[0]), edit.At(loop[i]), edit.At(loop[i + 1])});
-    }
-    return area.z() < -kFacesUp * area.norm();
-  }
-
-  // None if no bridge may be built.
-  static std::optional<BridgedLoop> Tied(std::vector<VertexLoop> loops, const PatchEdit& edit) {
-    std::set<VertexPair> bridges;
-    const BridgeEnds ends = {
-        [&](int32_t v) { return edit.At(v); },
-        [&](int32_t a, int32_t b) { return edit.MayJoin(a, b) && !bridges.contains(Undirected(a, b)); }};
-    while (loops.size() > 1) {
-      const std::vector<Bridge> next = BridgesFrom(ends, loops);
-      if (next.empty()) return std::nullopt;
-      const VertexPair tied = Undirected(loops[0][next[0].from], loops[next[0].loop][next[0].to]);
-      if (BuildBridge(next[0], loops)) bridges.insert(tied);
-    }
-    return BridgedLoop{std::move(loops[0]), std::move(bridges)};
   }
 
   // Triangles that close the loop and cross nothing; empty if none are found.

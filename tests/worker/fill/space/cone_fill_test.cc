@@ -36,6 +36,21 @@ TEST(ConeFillTest, TakesTheMiddleWhereNothingStands) {
   EXPECT_NEAR((cone->tip - Point3(2, 2, 0)).norm(), 0, 1e-9);
 }
 
+// Two squares that touch at a corner: with one tip for both, the edge from there to the corner would have four
+// triangles.
+TEST(ConeFillTest, JoinsNoPlaceTwice) {
+  std::vector<Point3> loop = kSquare;
+  for (const Point3& p : kSquare) loop.push_back(kSquare[0] + Point3(-p.y(), -p.x(), p.x() + p.y()));
+  const std::vector<Eigen::Vector3d> outside(loop.size(), Eigen::Vector3d::Zero());
+  ASSERT_EQ(loop[4], loop[0]);
+  if (const std::optional<ConeFill> cone = CloseByCone(loop, outside, AnyChord, CrossingIndex({}), Anywhere)) {
+    const auto joins = [&](int32_t v) {
+      return std::ranges::any_of(cone->triangles, [&](const Triangle& t) { return t[2] == 8 && t[0] == v; });
+    };
+    EXPECT_FALSE(joins(0) && joins(4));
+  }
+}
+
 TEST(ConeFillTest, GivesUpWhereASideIsCrossed) {
   const SpaceTriangle blade = {Point3(2, -1, -9), Point3(2, 5, -9), Point3(2, 2, 30)};
   const CrossingIndex surface(std::span<const SpaceTriangle>(&blade, 1));

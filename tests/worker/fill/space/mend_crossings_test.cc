@@ -187,6 +187,44 @@ TEST_F(MendCrossingsOfTwoTest, ClosesTheLoopsOfAPieceOneByOne) {
   ExpectMended(std::move(patch));
 }
 
+// Two holes that touch at a corner, closely between two other surfaces. One disc closes both, so its boundary passes
+// the corner twice; every such disc passes through something.
+TEST(MendCrossingsOfTouchingTest, CutsTheBoundaryWhereItTouchesItself) {
+  const auto is_hole = [](double u, double v) {
+    return (u > -2 && u < 0 && v > -6 && v < -4) || (u > 0 && u < 2 && v > -4 && v < -2);
+  };
+  const CellHoles work = WorkOfSheet(is_hole, FoldToBuilding, 0);
+  const CellBand band(work);
+  const LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
+  std::vector<int32_t> around;  // as the boundary passes them
+  for (const std::vector<int32_t>& loop : LoopsOf(hole.segments)) {
+    const auto corner = std::ranges::find(loop, Point3(0, -4, 0), [&](int32_t v) { return hole.positions[v]; });
+    ASSERT_NE(corner, loop.end());
+    around.insert(around.end(), corner, loop.end());
+    around.insert(around.end(), loop.begin(), corner);
+  }
+  ASSERT_EQ(std::ranges::count(around, around[0]), 2);
+  LocalPatch patch;
+  patch.new_points = {Point3(9, -4, 0)};
+  patch.triangles = {{around.back(), around[0], around[1]}};
+  for (size_t i = 1; i + 1 < around.size(); ++i) patch.triangles.push_back({around[i], around[i + 1], hole.size()});
+  patch.triangles.push_back({around.back(), around[1], hole.size()});
+  const SurfaceNear near = [&](const Point3&, const Point3&) {
+    std::vector<SpaceTriangle> surface;
+    const std::vector<Point3>& points = work.band.points;
+    for (const Triangle& t : work.band.triangles) surface.push_back({points[t[0]], points[t[1]], points[t[2]]});
+    for (const double z : {-0.01, 0.01}) surface.push_back({Point3(-20, -9, z), Point3(20, -9, z), Point3(0, -0.5, z)});
+    return surface;
+  };
+  CrossingCheck check(hole, ReachOf(work, work.holes[0]), near, {});
+  ASSERT_TRUE(check.Crosses(patch));
+  LocalPatch mended = MendCrossings(hole, std::move(patch), check);
+  EXPECT_THAT(check.Crossed(mended), IsEmpty());
+  EXPECT_THAT(mended.new_points, IsEmpty());
+  EXPECT_THAT(mended.triangles, SizeIs(around.size() - 4)) << "as of two loops";
+  ExpectClosesHole(work, work.holes[0], ToHolePatch(hole, std::move(mended)));
+}
+
 // A hill of the patch: what faces up stays near where it was, or it is left as it is.
 TEST_F(MendCrossingsTest, DoesNotMoveTheGround) {
   const Point3 top(0, -5, 1);
