@@ -20,6 +20,7 @@
 #include "common/mesh/triangle_shape.h"
 #include "worker/fill/space/cone_fill.h"
 #include "worker/fill/space/crossing_index.h"
+#include "worker/fill/space/kept_ground.h"
 #include "worker/fill/space/loop_bridges.h"
 #include "worker/fill/space/move_points.h"
 #include "worker/fill/space/patch_crossings.h"
@@ -42,8 +43,6 @@ constexpr Reach kMendReaches[] = {{0, false}, {1, true}, {1, false}, {3, true}, 
 constexpr size_t kLongestLoop = 150;
 // Triangles: with more of them single points and edges are not changed. Tries end after some 50 of them.
 constexpr size_t kMostUntangled = 500;
-// Of the mean edge of what is taken out: how far surface that faces up may move there along the vertical.
-constexpr double kMostOff = 0.25;
 
 // A loop that passes its bridges to and fro.
 struct BridgedLoop {
@@ -135,6 +134,14 @@ std::vector<Boundary> BoundariesOf(const Piece& piece, const PatchEdit& edit) {
     return std::ranges::any_of(boundary, [](const BridgedLoop& b) { return b.loop.size() > kLongestLoop; });
   });
   return boundaries;
+}
+
+// Of a piece, and the triangles from `first` on.
+Eigen::AlignedBox3d BoxAround(const Piece& piece, int32_t first, const PatchEdit& edit) {
+  Eigen::AlignedBox3d box;
+  for (const int32_t t : piece) box.extend(BoxOf(edit.Placed(t)));
+  for (int32_t t = first; t < edit.count(); ++t) box.extend(BoxOf(edit.Placed(t)));
+  return box;
 }
 
 bool CrossThemselves(std::span<const Triangle> triangles, std::span<const Point3> places) {
@@ -285,7 +292,7 @@ class CrossingMender {
       return !triangles.empty();
     });
     if (closes && (misfits_ == Misfits::kNone || CrossesLess(piece, first, edit)) && IsManifold(first, edit) &&
-        KeepsHeights(piece, boundary, first, edit))
+        KeepsGround(piece, boundary, first, edit))
       return true;
     edit.TakeOutFrom(first);
     return false;
@@ -356,31 +363,16 @@ class CrossingMender {
     return true;
   }
 
-  // Whether the vertices that go and lie amid surface that faces up are near what comes.
-  static bool KeepsHeights(const Piece& piece, const Boundary& boundary, int32_t first, const PatchEdit& edit) {
-    double edges = 0;
-    std::set<int32_t> inner;
-    for (const int32_t t : piece) {
-      const SpaceTriangle& p = edit.Placed(t);
-      for (int k = 0; k < 3; ++k) edges += (p[(k + 1) % 3] - p[k]).norm() / 3;
-      inner.insert(edit.Corners(t).begin(), edit.Corners(t).end());
-    }
-    for (const BridgedLoop& b : boundary) {
-      for (const int32_t v : b.loop) inner.erase(v);
-    }
-    for (const int32_t t : piece) {
-      for (const int32_t v : edit.Corners(t)) {
-        if (!edit.FacesUp(t)) inner.erase(v);
-      }
-    }
-    const double most = kMostOff * edges / static_cast<double>(piece.size());
-    return std::ranges::all_of(inner, [&](int32_t v) {
-      for (int32_t t = first; t < edit.count(); ++t) {
-        const std::optional<double> height = HeightOver(edit.Placed(t), edit.At(v));
-        if (height && std::abs(*height) <= most) return true;
-      }
-      return false;
-    });
+  // The ground inside a piece. Where what comes instead, from triangle `first` on, is too far from it, some of its
+  // vertices are put back.
+  bool KeepsGround(const Piece& piece, const Boundary& boundary, int32_t first, PatchEdit& edit) const {
+    std::set<int32_t> at_boundary;
+    for (const BridgedLoop& b : boundary) at_boundary.insert(b.loop.begin(), b.loop.end());
+    const KeptGround ground(piece, at_boundary, edit);
+    if (ground.IsKept(first, edit)) return true;
+    ground.PutBack(
+        first, [&] { return Within(BoxAround(piece, first, edit), edit); }, edit);
+    return ground.IsKept(first, edit);
   }
 
   const LocalHole& hole_;

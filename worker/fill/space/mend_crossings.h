@@ -15,6 +15,8 @@ namespace tilemend {
 //   - first with triangles that cross nothing; in every second round they may cross surface that passes through the
 //     hole's boundary, as every patch does there
 //   - then also with some that cross (Misfits), if they are fewer than those that crossed before
+// Boundaries that pass a vertex twice are also cut there. Vertices of the ground are put back where what closes a part
+// passes them by too far (kept_ground.h).
 // What ends at the outline of a tile is taken out only next to what crosses, so that it stays near the neighbour's.
 // At last single points and edges are changed where triangles still cross (untangle_patch.h).
 // A round counts if no more triangles cross than before, crossings that every patch has left aside (CrossedAvoidably).
