@@ -34,7 +34,7 @@ inline constexpr size_t kMostAcceptancePlaces = 1000;  // of one kind
 
 struct Acceptance {
   int64_t tiles = 0;
-  int64_t cells_left_out = 0;  // with a tile that the job was not to write: --cells
+  int64_t cells_left_out = 0;                                      // with a tile that the job was not to write: --cells
   int64_t original_faces = 0, added_faces = 0, cleared_faces = 0;  // triangles
   int64_t files = 0;                                               // material files and images that were compared
   int64_t water_fills = 0;

@@ -176,6 +176,23 @@ const SurveyRecord& NoTile() {
   return none;
 }
 
+// Gives a hole what bounds its own region, first `whole` of its segments. It may bound nothing, where a link runs back
+// along the only edge. Pieces overlap, or part, by less than `reach` metres.
+void Settle(const Plan& plan, double reach, std::vector<RimSegment> region, size_t whole, bool on_outline,
+            PlannedHole& hole) {
+  const bool is_own = whole < region.size();
+  DropDoubled(region);
+  const bool is_none = region.empty();
+  if (is_none ? is_own && !IsSliver(plan, hole.segments, reach)
+              : IsLostRegion(plan, hole.segments, region, on_outline)) {
+    hole.failure = kLost;
+  } else if (is_own && !is_none) {
+    hole.own_regions = {std::move(region)};
+  } else if (is_own || whole < hole.segments.size()) {
+    hole.segments.clear();  // a sliver beside a line that no chain of the tile bounds, or where pieces just part
+  }
+}
+
 // The regions of one cell.
 class CellRegions {
  public:
@@ -218,27 +235,11 @@ class CellRegions {
       const bool is_at_outline = std::ranges::any_of(members.gaps, &OutlineGap::open);  // of the tile
       const bool is_ring = chains_.walk.all_open && !line.empty() && !is_at_outline;
       if (is_ring) AddRing(line, region);
-      Settle(first, std::move(region), whole, is_ring || is_at_outline);
+      Settle(plan_, reach_, std::move(region), whole, is_ring || is_at_outline, first);
     }
   }
 
  private:
-  // Gives a hole what bounds its own region, first `whole` of its segments. It may bound nothing, where a link runs
-  // back along the only edge.
-  void Settle(PlannedHole& hole, std::vector<RimSegment> region, size_t whole, bool on_outline) const {
-    const bool is_own = whole < region.size();
-    DropDoubled(region);
-    const bool is_none = region.empty();
-    if (is_none ? is_own && !IsSliver(plan_, hole.segments, reach_)
-                : IsLostRegion(plan_, hole.segments, region, on_outline)) {
-      hole.failure = kLost;
-    } else if (is_own && !is_none) {
-      hole.own_regions = {std::move(region)};
-    } else if (is_own || whole < hole.segments.size()) {
-      hole.segments.clear();  // a sliver beside a line that no chain of the tile bounds, or where pieces just part
-    }
-  }
-
   int32_t PlanVertexOf(int32_t own) const { return plan_.vertex_of_boundary.at(cell_)[own]; }
 
   void AddEdge(const BoundaryEdge& e, const PlannedHole& hole, std::vector<RimSegment>& region) {
