@@ -2,7 +2,6 @@
 
 #include <map>
 #include <optional>
-#include <set>
 #include <tuple>
 #include <utility>
 
@@ -49,17 +48,20 @@ bool IsChanged(const VectorFeature& dry) {
   return is_given || dry.kind != WaterKind::kUnsaid || dry.clear || dry.clear_height;
 }
 
-// In holes.geojson a hole over several cells has a row for each. Who changed some of them means the hole.
-using Changes = std::map<int64_t, std::optional<Saying>>;  // by cluster; none: its changed rows differ
-Changes ChangesIn(const std::vector<VectorFeature>& features) {
-  Changes changes;
-  for (const VectorFeature& f : features) {
-    if (!f.cluster || f.is_as_found) continue;
-    const auto [it, fresh] = changes.try_emplace(*f.cluster, SayingOf(f));
-    if (!fresh && it->second != SayingOf(f)) it->second.reset();
+// What the rows of a cluster in holes.geojson say. A hole over several cells has a row for each: who changed some of
+// them means the hole.
+struct ClusterRows {
+  std::optional<Saying> change;  // of the changed rows
+  bool differs = false;          // they say different things
+  bool was_water = false;        // a row was water before
+
+  void Add(const VectorFeature& row) {
+    was_water = was_water || row.was_water;
+    if (row.is_as_found) return;
+    differs = differs || (change && *change != SayingOf(row));
+    change = SayingOf(row);
   }
-  return changes;
-}
+};
 
 // Features of one body that say the same become the first of them.
 void UniteBodies(std::vector<VectorFeature>& features) {
@@ -90,8 +92,8 @@ class Layer {
   Layer(std::string prefix, const LayerRules& rules) : prefix_(std::move(prefix)), rules_(rules) {}
 
   void AddAll(OGRLayer& layer) {
+    if (rules_.use == VectorUse::kWater && layer.GetLayerDefn()->GetFieldIndex(kHoleProperty) >= 0) LookAtHoles(layer);
     for (const auto& feature : layer) Add(*feature);
-    if (rules_.use == VectorUse::kWater) FollowChanges(layer);
     if (rules_.use != VectorUse::kArea) UniteBodies(read_.features);
   }
 
@@ -108,10 +110,40 @@ class Layer {
   }
 
  private:
+  void LookAtHoles(OGRLayer& layer) {
+    for (const auto& feature : layer) {
+      if (!IsHole(*feature)) continue;
+      const VectorFeature row = RowOf(*feature);
+      if (row.cluster && !IsDryHole(*feature)) clusters_[*row.cluster].Add(row);
+    }
+  }
+
+  VectorFeature RowOf(const OGRFeature& feature) const {
+    VectorFeature row;
+    row.label = LabelOf(feature, prefix_);
+    SetProperties(feature, row);
+    return row;
+  }
+
   void Add(const OGRFeature& feature) {
     if (rules_.use == VectorUse::kDecisions && FieldOf(feature, kDecisionProperty) < 0) return;
-    if (rules_.use == VectorUse::kWater && IsDryHole(feature)) return;  // FollowChanges looks at it
+    if (rules_.use == VectorUse::kWater && IsHole(feature)) return AddHole(feature);
     AddGeometry(feature);
+  }
+
+  // A row that is as found says the same as the changed ones of its cluster, unless these differ. So does one that is
+  // no water, where no row of the cluster was water: there it is the dry part.
+  void AddHole(const OGRFeature& feature) {
+    const bool is_dry = IsDryHole(feature);
+    const VectorFeature row = RowOf(feature);
+    if (is_dry && IsChanged(row)) return edited_.Add(row.label);
+    const auto rows = row.cluster ? clusters_.find(*row.cluster) : clusters_.end();
+    const bool is_changed = rows != clusters_.end() && rows->second.change && !rows->second.differs;
+    const bool follows = is_changed && (is_dry ? !rows->second.was_water : row.is_as_found);
+    if (is_dry && !follows) return dry_.Add(row.label);
+    const size_t before = read_.features.size();
+    AddGeometry(feature);
+    if (follows && read_.features.size() > before) Say(*rows->second.change, read_.features.back());
   }
 
   void AddGeometry(const OGRFeature& feature) {
@@ -125,33 +157,6 @@ class Layer {
     if (area != nullptr) geometry = area.get();
     if (!IsOfUse(geometry, IsHole(feature))) return other_.Add(label);
     Take(feature, *geometry, label);
-  }
-
-  // Rows that are as found say the same as the changed ones of their cluster, unless these differ. So do those that are
-  // no water, where no row of the cluster was water: there they are its dry part.
-  void FollowChanges(OGRLayer& layer) {
-    const Changes changes = ChangesIn(read_.features);
-    std::set<int64_t> water;
-    for (VectorFeature& f : read_.features) {
-      if (f.cluster && f.was_water) water.insert(*f.cluster);
-      if (!f.cluster || !f.is_as_found) continue;
-      const auto of_cluster = changes.find(*f.cluster);
-      if (of_cluster != changes.end() && of_cluster->second) Say(*of_cluster->second, f);
-    }
-    for (const auto& feature : layer) {
-      if (!IsDryHole(*feature)) continue;
-      VectorFeature said;
-      said.label = LabelOf(*feature, prefix_);
-      SetProperties(*feature, said);
-      const auto of_cluster = said.cluster ? changes.find(*said.cluster) : changes.end();
-      if (of_cluster != changes.end() && of_cluster->second && !water.contains(*said.cluster)) {
-        const size_t before = read_.features.size();
-        AddGeometry(*feature);
-        if (read_.features.size() > before) Say(*of_cluster->second, read_.features.back());
-      } else {
-        (IsChanged(said) ? edited_ : dry_).Add(said.label);
-      }
-    }
   }
 
   bool IsOfUse(const OGRGeometry* geometry, bool is_hole) const {
@@ -178,6 +183,7 @@ class Layer {
   const LayerRules rules_;
   RawFeatures read_;
   LeftOut other_, dry_, edited_;
+  std::map<int64_t, ClusterRows> clusters_;
 };
 
 }  // namespace

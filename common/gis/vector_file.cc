@@ -177,12 +177,11 @@ bool HasPart(const VectorRequest& request, std::string_view suffix) {
 }
 
 // A shapefile without its .dbf has no field.
-void CheckHasProperties(GDALDataset& data, VectorUse use) {
-  if (use == VectorUse::kArea || !EQUAL(data.GetDriverName(), "ESRI Shapefile")) return;
-  for (OGRLayer* layer : data.GetLayers()) {
-    if (layer->GetLayerDefn()->GetFieldCount() > 0) continue;
-    throw BadVectors{"a shapefile without its .dbf, which says what the polygons are; put it beside the .shp"};
-  }
+void CheckHasProperties(GDALDataset& data, OGRLayer& layer, const VectorRequest& request) {
+  if (request.use == VectorUse::kArea || !EQUAL(data.GetDriverName(), "ESRI Shapefile")) return;
+  if (layer.GetLayerDefn()->GetFieldCount() > 0) return;
+  const std::string which = request.format == VectorFormat::kArchive ? ShownName(layer.GetName()) + ".shp in it: " : "";
+  throw BadVectors{which + "a shapefile without its .dbf, which says what the polygons are; put it beside the .shp"};
 }
 
 void ReadLayer(OGRLayer& layer, const VectorRequest& request, const std::string& prefix, const LayerRules& rules,
@@ -237,10 +236,10 @@ void Read(const VectorRequest& request, VectorFile& file) {
   const Datasets data = Open(folder, request.format);
   std::vector<std::pair<OGRLayer*, LayerRules>> layers;
   for (const GDALDatasetUniquePtr& set : data) {
-    CheckHasProperties(*set, request.use);
     const bool is_drawing = EQUAL(set->GetDriverName(), "DXF") || EQUAL(set->GetDriverName(), "DGN");
     for (OGRLayer* layer : set->GetLayers()) {
       if (IsOfUse(*layer, request)) {
+        CheckHasProperties(*set, *layer, request);
         layers.push_back({layer, {request.use, is_drawing, request.format == VectorFormat::kGeoJson}});
       }
     }

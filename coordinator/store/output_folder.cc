@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
 #include "common/records/output_names.h"
 #include "common/util/error_info.h"
@@ -52,7 +53,10 @@ absl::Status CheckApart(const std::string& path, const Scene& scene, const std::
   }
   FolderSet sources, scene_folder;
   scene_folder.Insert(root);
-  if (scene.found_by_name) sources.Insert(root);  // the next search there would find the output's tiles too
+  const auto is_tileset = [](const SceneTile& tile) { return absl::EndsWith(tile.path, ".json"); };
+  if (scene.found_by_name && std::ranges::none_of(scene.tiles, is_tileset)) {
+    sources.Insert(root);  // the next search there would find the output's tiles too
+  }
   for (const std::string& folder : FoldersOf(inputs)) {
     // Beside tiles that lie in the scene's folder itself, a folder of its own does no harm.
     if (!scene_folder.Contains(RealPath(root / folder))) sources.Insert(root / folder);

@@ -28,7 +28,8 @@ namespace tilemend {
 //  - a folder that another living job writes to (kAborted), whatever it may overwrite.
 //  - what is no regular file, or no folder, where the job would write one: it is the user's to take away.
 //  - always: the scene's own folder, its folders of tiles and those that hold them (`Data`) with all below, and folders
-//    whose `tiles` lead there over a link. Of a scene that was found by names all that is below its own folder.
+//    whose `tiles` lead there over a link. Of tiles that were found by their names all that is below the scene's
+//    folder.
 class OutputFolder {
  public:
   // `key` says what makes two jobs the same (scene and options). kAlreadyExists, kInvalidArgument, kPermissionDenied,

@@ -28,7 +28,7 @@ struct FillMap {
 struct FillLook {
   double water_level = 0;               // metres
   Rgb ground = {};                      // where no pixel of the raster is ground
-  Rgb water = {};                       // where no pixel is water
+  Rgb water = {};                       // of all water, but beside its rim
   std::optional<Rgb> given_water = {};  // all water gets this colour
 };
 
@@ -45,9 +45,9 @@ inline constexpr int64_t kBytesPerPixel = 64;
 //  - Lanes and kerbs: along the direction of the structure around, where there is one (streamlines.h). Sources are
 //    pixels at most 0.4 m above an opening of 20 m and within 1 m of the fill's height, 0.5 m away from the fill and
 //    from objects, and no shadows.
-//  - Rim: the step of colours at the rim, of water where the surface is within 0.6 m of the level, is spread inward,
-//  and
-//    fades over some 2 m.
+//  - Rim: the step of colours at the rim is spread inward, and fades over some 2 m. Of water that is the step to
+//  surface
+//    within 0.6 m of the level.
 //  - Grain: noise with the spectrum of the sources (grain.h); of water white noise.
 // All lattices are anchored to absolute coordinates: equal rasters of two cells give equal colours, and results depend
 // on nothing else. Cost: linear in the pixels of the raster; of the fill, in the length of its streamlines.

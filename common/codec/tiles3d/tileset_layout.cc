@@ -8,6 +8,7 @@
 #include "common/codec/tiles3d/tileset.h"
 #include "common/codec/tiles3d/tileset_frame.h"
 #include "common/util/folders.h"
+#include "common/util/object_store.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -21,8 +22,10 @@ absl::StatusOr<Tileset> ReadAlone(const std::string& folder, const std::string& 
   return absl::InvalidArgumentError(absl::StrCat(folder, "/", std::string(tileset.status().message())));
 }
 
-// Whether a tileset that another names is there.
+// Whether a tileset that another names is there. In an object store each look takes a request: what is missing shows
+// when it is read.
 absl::Status CheckIsThere(const std::string& folder, const std::string& entry, const std::string& external) {
+  if (IsObjectPath(folder)) return absl::OkStatus();
   TILEMEND_ASSIGN_OR_RETURN(const PathKind kind, FindKind(absl::StrCat(folder, "/", external)));
   if (kind == PathKind::kFile) return absl::OkStatus();
   return absl::NotFoundError(absl::StrCat(folder, "/", entry, ": names ", external,

@@ -33,11 +33,16 @@ bool IsLostRegion(const Plan& plan, const std::vector<RimSegment>& hole, const s
 }
 
 bool IsSliver(const Plan& plan, const std::vector<RimSegment>& hole, double width) {
+  if (hole.empty()) return true;
+  const Point3 origin = plan.vertices[hole.front().from].position;
+  Eigen::Vector3d doubled = Eigen::Vector3d::Zero();
   double length = 0;
   for (const RimSegment& s : hole) {
-    length += (plan.vertices[s.to].position - plan.vertices[s.from].position).head<2>().norm();
+    const Point3 &a = plan.vertices[s.from].position, &b = plan.vertices[s.to].position;
+    doubled += (a - origin).cross(b - origin);
+    length += (b - a).norm();
   }
-  return AreaOf(plan, hole) <= width * length / 2;
+  return doubled.norm() / 2 <= width * length / 2;
 }
 
 }  // namespace tilemend

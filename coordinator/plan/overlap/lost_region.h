@@ -17,8 +17,8 @@ namespace tilemend {
 bool IsLostRegion(const Plan& plan, const std::vector<RimSegment>& hole, const std::vector<RimSegment>& region,
                   bool on_outline);
 
-// Whether a hole is narrower than `width` metres in the mean: two pieces that part, or one above the other, look so
-// from above. Such a hole may have no own region at all. As above.
+// Whether a hole is narrower than `width` metres in the mean, in space: pieces that part by less look so. Such a hole
+// may have no own region at all. As above.
 bool IsSliver(const Plan& plan, const std::vector<RimSegment>& hole, double width);
 
 }  // namespace tilemend

@@ -67,9 +67,11 @@ bool IsOneWater(const Basin& a, const Basin& b, const Basin& joint) {
 // Where a basin is, for the search of others near it.
 struct Extent {
   explicit Extent(const Basin& basin) : width(basin.Width()) {
-    for (const auto& [a, b] : basin.outlines[0]) {
-      corners.push_back(a);
-      box.extend(a);
+    for (const std::vector<PlaneSegment>& outline : basin.outlines) {
+      for (const auto& [a, b] : outline) {
+        corners.push_back(a);
+        box.extend(a);
+      }
     }
   }
 
@@ -164,7 +166,12 @@ double Basin::Width() const {
 
 Basin MakeBasin(size_t number, std::vector<PlaneSegment> outline, std::vector<RimChain> rim, double area,
                 double min_river, bool is_known_river) {
-  Basin basin{{number}, {std::move(outline)}, std::move(rim), area, {}, {}};
+  return MakeBasin(std::vector{number}, {std::move(outline)}, std::move(rim), area, min_river, is_known_river);
+}
+
+Basin MakeBasin(std::vector<size_t> members, std::vector<std::vector<PlaneSegment>> outlines, std::vector<RimChain> rim,
+                double area, double min_river, bool is_known_river) {
+  Basin basin{std::move(members), std::move(outlines), std::move(rim), area, {}, {}};
   Judge(min_river, is_known_river, basin);
   return basin;
 }

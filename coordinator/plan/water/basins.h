@@ -30,6 +30,10 @@ struct Basin {
 Basin MakeBasin(size_t number, std::vector<PlaneSegment> outline, std::vector<RimChain> rim, double area,
                 double min_river, bool is_known_river = false);
 
+// The same of several members that are one, with an outline each. Precondition: at least one.
+Basin MakeBasin(std::vector<size_t> members, std::vector<std::vector<PlaneSegment>> outlines, std::vector<RimChain> rim,
+                double area, double min_river, bool is_known_river = false);
+
 // Joins basins that hold one water: the nearest first, no farther apart than they are wide together. They do in these
 // cases:
 //   both alone are level: they are level together, at a level that is no farther from that of either than three times

@@ -98,19 +98,28 @@ void EraseBanks(double slope, std::vector<StationLevel>& levels) {
   std::erase_if(levels, [&](const StationLevel& s) { return at(s) > middle + limit; });
 }
 
-// The level of every station from those that have one; beyond the first and last along the slope.
-void Interpolate(const std::vector<StationLevel>& known, const std::vector<double>& levels, double slope,
-                 std::vector<Point3>& stations) {
-  for (size_t k = 0; k < stations.size(); ++k) {
-    const auto next = std::ranges::lower_bound(known, k, {}, &StationLevel::station);
-    const auto i = static_cast<size_t>(next - known.begin());
-    if (i == 0 || i == known.size()) {
-      const size_t end = i == 0 ? 0 : i - 1;
-      stations[k].z() = levels[end] + slope * (static_cast<double>(k) - static_cast<double>(known[end].station));
-      continue;
+// Whether any edge is nearest to each station.
+std::vector<bool> StationsAtRim(size_t stations, const std::vector<EdgeAlong>& edges) {
+  std::vector<bool> at_rim(stations, false);
+  for (const EdgeAlong& e : edges) at_rim[static_cast<size_t>(std::round(e.along))] = true;
+  return at_rim;
+}
+
+// The level of every station from those that have one. Beyond the first and last it follows the slope, and stays where
+// the line leaves the rim.
+void Interpolate(const std::vector<StationLevel>& known, const std::vector<double>& levels,
+                 const std::vector<bool>& at_rim, double slope, std::vector<Point3>& stations) {
+  for (size_t i = 0; i < known.size(); ++i) {
+    const size_t from = known[i].station;
+    const size_t to = i + 1 < known.size() ? known[i + 1].station : from + 1;
+    for (size_t k = from; k < to; ++k) {
+      const double share = static_cast<double>(k - from) / static_cast<double>(to - from);
+      stations[k].z() = i + 1 < known.size() ? std::lerp(levels[i], levels[i + 1], share) : levels[i];
     }
-    const auto whole = static_cast<double>(known[i].station - known[i - 1].station);
-    stations[k].z() = std::lerp(levels[i - 1], levels[i], static_cast<double>(k - known[i - 1].station) / whole);
+  }
+  for (size_t k = known.front().station; k-- > 0;) stations[k].z() = stations[k + 1].z() - (at_rim[k] ? slope : 0);
+  for (size_t k = known.back().station + 1; k < stations.size(); ++k) {
+    stations[k].z() = stations[k - 1].z() + (at_rim[k] ? slope : 0);
   }
 }
 
@@ -170,9 +179,12 @@ RiverProfile FitRiver(const std::vector<Point2>& line, std::span<const RimChain>
   RiverProfile profile;
   if (fall.stations.empty()) return profile;
   profile.water.stations = fall.stations;
-  std::vector<StationLevel> known = LevelsAt(fall.stations.size(), EdgesAlong(profile.water.stations, rim), fall.slope);
+  const std::vector<EdgeAlong> edges = EdgesAlong(profile.water.stations, rim);
+  std::vector<StationLevel> known = LevelsAt(fall.stations.size(), edges, fall.slope);
+  std::vector<bool> at_rim = StationsAtRim(fall.stations.size(), edges);
   if (fall.slope > 0) {
     std::ranges::reverse(profile.water.stations);
+    std::reverse(at_rim.begin(), at_rim.end());
     std::ranges::reverse(known);
     for (StationLevel& s : known) s.station = fall.stations.size() - 1 - s.station;
   }
@@ -180,7 +192,7 @@ RiverProfile FitRiver(const std::vector<Point2>& line, std::span<const RimChain>
   EraseBanks(-std::abs(fall.slope), known);
   std::vector<double> levels, weights;
   for (const StationLevel& s : known) levels.push_back(s.level), weights.push_back(s.edges);
-  Interpolate(known, NotRising(levels, weights), -std::abs(fall.slope), profile.water.stations);
+  Interpolate(known, NotRising(levels, weights), at_rim, -std::abs(fall.slope), profile.water.stations);
   return profile;
 }
 

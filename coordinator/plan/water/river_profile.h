@@ -33,7 +33,8 @@ struct RiverProfile {
 // The profile along a centreline that is known to be a river's, with stations as in FitFall. Stations that lie above
 // the line through all by three deviations have banks alone and no level: they lie on a line between the others. The
 // others are made to fall in the direction in which the line falls (NotRising). Before the first and after the last the
-// water falls as the line. Precondition: at least two points. Cost O(stations^2 + edges * stations).
+// water goes on along that line, as far as the rim does. Precondition: at least two points. Cost O(stations^2 + edges *
+// stations).
 RiverProfile FitRiver(const std::vector<Point2>& line, std::span<const RimChain> rim);
 
 // The values, not rising, that are nearest to `values` in weighted least squares (pool adjacent violators). Weights >

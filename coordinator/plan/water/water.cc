@@ -37,8 +37,8 @@ struct Group {
   std::optional<size_t> decider;  // DeciderOf
   HoleEvidence evidence;
   bool is_judged = false;
-  bool is_known = false;  // the scene as a whole says what of it is water
-  bool is_open_lake = false;
+  bool is_known = false;                           // the scene as a whole says what of it is water
+  std::optional<size_t> open_lake = std::nullopt;  // of which OpenLake it is a part
 };
 
 Eigen::AlignedBox2d SurroundingsOf(const std::vector<PlaneSegment>& outline, double margin) {
@@ -258,8 +258,9 @@ class WaterFinder {
       }
       for (GivenWater& water : WaterOfArea(area, std::move(parts), options_.profile.least_river)) {
         if (!area.level && area.kind != WaterKind::kRiver && water.body.river.stations.empty()) {
-          for (const size_t g : water.parts) groups_[g].is_open_lake = true;
+          for (const size_t g : water.parts) groups_[g].open_lake = lakes.size();
           Basin basin = BasinOf(water.parts);
+          if (area.kind == WaterKind::kLake) basin.river.reset();
           lakes.push_back({std::move(water), std::move(basin), area.kind != WaterKind::kLake});
           continue;
         }
@@ -279,14 +280,12 @@ class WaterFinder {
       if (index_.cancelled()) return;
       if (groups_[g].area >= kJudged) AddBasin(g, basins);
     }
-    for (const OpenLake& lake : lakes) {
-      std::erase_if(basins,
-                    [&](const Basin& b) { return std::ranges::binary_search(lake.basin.members, b.members[0]); });
-      basins.push_back(lake.basin);
-    }
     std::vector<Eigen::AlignedBox2d> boxes_of_level;
     for (const Basin& basin : basins) {
-      if (basin.is_level()) boxes_of_level.push_back(SurroundingsOf(basin.outlines[0], basin.Width()));
+      if (!basin.is_level()) continue;
+      for (const std::vector<PlaneSegment>& outline : basin.outlines) {
+        boxes_of_level.push_back(SurroundingsOf(outline, basin.Width()));
+      }
     }
     for (size_t g = 0; g < groups_.size(); ++g) {
       if (index_.cancelled()) return;
@@ -308,14 +307,13 @@ class WaterFinder {
   // Those of the lakes that are part of the basin have its level, whatever else it is taken for.
   void DecideLakes(const Basin& basin, std::vector<OpenLake>& lakes) {
     std::vector<size_t> joined;
-    for (OpenLake& lake : lakes) {
+    for (const size_t g : basin.members) {
+      if (!groups_[g].open_lake) continue;
+      OpenLake& lake = lakes[*groups_[g].open_lake];
       const std::vector<size_t>& groups = lake.basin.members;
-      if (!std::ranges::binary_search(basin.members, groups[0])) continue;
-      if (basin.members.size() == groups.size() || (basin.river && !lake.may_fall)) {
-        AddBody(lake.alone.parts, std::move(lake.alone.body));
-      } else {
-        joined.insert(joined.end(), groups.begin(), groups.end());
-      }
+      const bool is_alone = basin.members.size() == groups.size() || (basin.river && !lake.may_fall);
+      if (!is_alone) joined.push_back(g);
+      if (is_alone && g == groups[0]) AddBody(lake.alone.parts, std::move(lake.alone.body));
     }
     if (joined.empty()) return;
     WaterBody body = BodyOf(basin, basin.river.has_value());
@@ -323,11 +321,11 @@ class WaterFinder {
     AddBody(joined, std::move(body));
   }
 
-  // What a reviewer decides is about those holes alone: their rims go on telling of the water that they were part of.
+  // Holes that a reviewer decides on as well: their rims go on telling of the water that they were part of.
   void AddBasin(size_t g, std::vector<Basin>& basins) {
     Group& group = groups_[g];
     const bool is_given = group.decider && options_.areas[*group.decider].decision == ReviewDecision::kNone;
-    if (is_given || group.is_open_lake || group.is_known || !options_.find) return;
+    if (is_given || group.open_lake || group.is_known || !options_.find) return;
     if (RimChainsOf(plan_, group.holes).empty()) {
       if (!group.decider) group.evidence.reason = kNoRim;
     } else {
@@ -339,15 +337,15 @@ class WaterFinder {
   Basin BasinOf(std::vector<size_t> groups) const {
     std::ranges::sort(groups);
     std::vector<int32_t> holes;
+    std::vector<std::vector<PlaneSegment>> outlines;
     double area = 0;
     for (const size_t g : groups) {
       holes.insert(holes.end(), groups_[g].holes.begin(), groups_[g].holes.end());
+      outlines.push_back(BoundaryOf(plan_, groups_[g].holes));
       area += groups_[g].area;
     }
-    Basin basin =
-        MakeBasin(groups[0], BoundaryOf(plan_, holes), RimChainsOf(plan_, holes), area, options_.profile.least_river);
-    basin.members = std::move(groups);
-    return basin;
+    return MakeBasin(std::move(groups), std::move(outlines), RimChainsOf(plan_, holes), area,
+                     options_.profile.least_river);
   }
 
   void Decide(const Basin& basin, const GroundAround& around) {

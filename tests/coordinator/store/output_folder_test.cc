@@ -61,6 +61,8 @@ TEST_F(OutputFolderTest, NothingIsWrittenIntoASceneThatWasFoundByNames) {
     EXPECT_TRUE(absl::IsInvalidArgument(Claim(folder_ / inside).status())) << inside;
   }
   EXPECT_TRUE(Claim(out_).ok());
+  scene_.tiles[0].path = "tiles/a.json";  // a tileset names its tiles
+  EXPECT_TRUE(Claim(folder_ / "scene/deep/out").ok());
 }
 
 TEST_F(OutputFolderTest, ASecondLivingJobIsRefusedWhateverItMayOverwrite) {

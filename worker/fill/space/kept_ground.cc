@@ -22,7 +22,8 @@ bool Divide(int32_t t, int32_t v, const std::function<CrossingIndex()>& there, P
   for (int k = 0; k < 3; ++k) {
     const Triangle part = {corners[k], corners[(k + 1) % 3], v};
     const SpaceTriangle placed = edit.Place(part);
-    if (!HasArea(placed) || others.IsCrossedBy(placed)) {
+    const bool faces_up = TwiceVectorArea(placed).z() > 0;
+    if (!faces_up || !HasArea(placed) || others.IsCrossedBy(placed)) {
       edit.TakeOutFrom(first);
       edit.DropFrom(first);
       edit.PutBack(t);

@@ -370,8 +370,9 @@ class CrossingMender {
     for (const BridgedLoop& b : boundary) at_boundary.insert(b.loop.begin(), b.loop.end());
     const KeptGround ground(piece, at_boundary, edit);
     if (ground.IsKept(first, edit)) return true;
+    const Eigen::AlignedBox3d box = BoxAround(piece, first, edit);
     ground.PutBack(
-        first, [&] { return Within(BoxAround(piece, first, edit), edit); }, edit);
+        first, [&] { return Within(box, edit); }, edit);
     return ground.IsKept(first, edit);
   }
 

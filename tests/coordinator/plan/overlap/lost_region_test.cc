@@ -48,6 +48,10 @@ TEST(IsSliverTest, WhatIsNarrowerThanPiecesOverlap) {
   EXPECT_TRUE(IsSliver(plan, strip, 0.21));
   EXPECT_FALSE(IsSliver(plan, strip, 0.19));
   EXPECT_FALSE(IsSliver(plan, Box(0, 0, 1, 1, plan), 0.25)) << "small, but a hole";
+  const auto wall = Box(0, 0, 0.05, 5, plan);
+  for (PlanVertex& v : plan.vertices) v.position = Point3(v.position.x(), 0, v.position.y());
+  EXPECT_TRUE(IsSliver(plan, wall, 0.06)) << "upright";
+  EXPECT_FALSE(IsSliver(plan, wall, 0.04));
 }
 
 }  // namespace

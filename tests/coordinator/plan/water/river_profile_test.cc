@@ -59,6 +59,20 @@ TEST(FitRiverTest, TheLineMayRunUpstream) {
   EXPECT_LT(WorstLevel(profile), 0.07);
 }
 
+// A bank across its lower end, as at the edge of a hole, and a line that goes on far beyond the shores.
+TEST(FitRiverTest, ItGoesOnFallingToTheEndOfItsShores) {
+  const auto bank = [](double x, double) { return x > 360 ? 3.0 : 0.0; };
+  for (const bool upstream : {false, true}) {
+    std::vector<Point2> line = {{-5000, 0}, {0, 0}, {400, 0}, {5400, 0}};
+    if (upstream) std::ranges::reverse(line);
+    const RiverProfile profile = FitRiver(line, Shores(bank));
+    for (const Point3& s : profile.water.stations) {
+      EXPECT_NEAR(s.z(), 10 - 0.001 * std::clamp(s.x(), 0.0, 400.0), 0.09) << s.x();
+    }
+    EXPECT_TRUE(NeverRises(profile));
+  }
+}
+
 TEST(FitRiverTest, AQuayAlongOneShoreDoesNotLiftIt) {
   const auto quay = [](double x, double y) { return y > 0 && x > 100 && x < 250 ? 2.5 : 0; };
   EXPECT_LT(WorstLevel(FitRiver(kLine, Shores(quay))), 0.07);

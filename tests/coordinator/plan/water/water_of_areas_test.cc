@@ -123,14 +123,16 @@ TEST_P(WaterOfAreasTest, AreasWithoutALevelTakeThatOfTheWaterBeside) {
     return kWaterLevel + ashore + (x < 72 ? 0 : 0.1 * std::fmax(std::abs(y - 60) - 8, 0));
   };
   const WaterArea lake = {true, {{Box(0, 0, 72, 120)}}}, canal = {true, {{Box(72, 0, 120, 120)}}};
-  for (const std::vector<WaterArea>& areas : {std::vector{lake, canal}, {canal}}) {
-    WaterOptions water;
-    water.areas = areas;
-    for (WaterArea& area : water.areas) area.kind = WaterKind::kLake;
-    const Plan plan = PlanOf(scene, water);
-    ASSERT_THAT(plan.water, SizeIs(areas.size() == 2 ? 1 : 2)) << "what areas say and what is found are two";
-    for (const WaterBody& body : plan.water) EXPECT_NEAR(body.level, kWaterLevel, 0.05);
-    for (const PlannedHole& hole : plan.holes) EXPECT_GE(hole.water, 0);
+  for (const WaterKind kind : {WaterKind::kUnsaid, WaterKind::kLake}) {
+    for (const std::vector<WaterArea>& areas : {std::vector{lake, canal}, {canal}}) {
+      WaterOptions water;
+      water.areas = areas;
+      for (WaterArea& area : water.areas) area.kind = kind;
+      const Plan plan = PlanOf(scene, water);
+      ASSERT_THAT(plan.water, SizeIs(areas.size() == 2 ? 1 : 2)) << "what areas say and what is found are two";
+      for (const WaterBody& body : plan.water) EXPECT_NEAR(body.level, kWaterLevel, 0.05);
+      for (const PlannedHole& hole : plan.holes) EXPECT_GE(hole.water, 0);
+    }
   }
 }
 
@@ -171,6 +173,10 @@ TEST_P(WaterOfAreasTest, ADecisionOnOneHoleChangesNoOther) {
     return 0.0;
   };
   const double before = level_west(PlanOf(scene, {}));
+  WaterOptions west_alone;
+  west_alone.areas = {{false, {{Box(72, 0, 120, 120)}}}};
+  ASSERT_GT(before, kWaterLevel) << "both lakes are one";
+  ASSERT_NE(level_west(PlanOf(scene, west_alone)), before);
   for (const ReviewDecision decision : {ReviewDecision::kOpen, ReviewDecision::kGround, ReviewDecision::kWater}) {
     WaterOptions water;
     water.areas = {{decision == ReviewDecision::kWater, {{Box(72, 0, 120, 120)}}}};

@@ -43,12 +43,12 @@ TEST(ConeFillTest, JoinsNoPlaceTwice) {
   for (const Point3& p : kSquare) loop.push_back(kSquare[0] + Point3(-p.y(), -p.x(), p.x() + p.y()));
   const std::vector<Eigen::Vector3d> outside(loop.size(), Eigen::Vector3d::Zero());
   ASSERT_EQ(loop[4], loop[0]);
-  if (const std::optional<ConeFill> cone = CloseByCone(loop, outside, AnyChord, CrossingIndex({}), Anywhere)) {
-    const auto joins = [&](int32_t v) {
-      return std::ranges::any_of(cone->triangles, [&](const Triangle& t) { return t[2] == 8 && t[0] == v; });
-    };
-    EXPECT_FALSE(joins(0) && joins(4));
-  }
+  const std::optional<ConeFill> cone = CloseByCone(loop, outside, AnyChord, CrossingIndex({}), Anywhere);
+  ASSERT_TRUE(cone.has_value());
+  const auto joins = [&](int32_t v) {
+    return std::ranges::any_of(cone->triangles, [&](const Triangle& t) { return t[2] == 8 && t[0] == v; });
+  };
+  EXPECT_FALSE(joins(0) && joins(4));
 }
 
 TEST(ConeFillTest, GivesUpWhereASideIsCrossed) {
