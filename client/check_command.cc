@@ -127,7 +127,7 @@ CheckedScene OutputOf(Scene scene, const Json& report, const std::string& folder
   for (SceneTile& tile : scene.tiles) {
     std::string output = OutputPath(tile);
     tile.path = KindOf(absl::StrCat(folder, "/", output)) == PathKind::kNothing ? "" : std::move(output);
-    if (!tile.delivered.empty()) tile.frame.clear();
+    tile.frame = OutputFrame(tile);
     tile.added = tile.added && tile.path.empty();
   }
   // Cells without a tile that the job was not to write are no holes.

@@ -10,6 +10,7 @@
 #include "client/crop_bytes.h"
 #include "client/hole_crop.h"
 #include "client/picture_tile.h"
+#include "common/grid/delivery_paths.h"
 #include "common/store/gzip.h"
 #include "common/util/status_macros.h"
 #include "coordinator/report/json_access.h"
@@ -70,7 +71,7 @@ absl::StatusOr<TilePair> ReadPair(const Scene& scene, const SceneTile& tile, con
   if (!tile.path.empty()) {
     TILEMEND_ASSIGN_OR_RETURN(pair.before, ReadPictureTile(scene.root, tile.path, tile.frame));
   }
-  const TileFrame frame = tile.delivered.empty() ? tile.frame : TileFrame();
+  const TileFrame frame = OutputFrame(tile);
   TILEMEND_ASSIGN_OR_RETURN(pair.after, ReadPictureTile(out, OutputPath(tile), frame));
   pair.change = CompareTiles(pair.before.faces, pair.after.faces);
   return pair;

@@ -185,7 +185,7 @@ std::vector<std::string> ChangedPlacement(const Scene& scene, const std::string&
   };
   add(kMetadataFile,
       MetadataChange(absl::StrCat(scene.root, "/", kMetadataFile), absl::StrCat(out, "/", kMetadataFile)));
-  if (scene.found_by_name || scene.tileset.empty()) add(kSceneFile, SceneChange(scene, out, has_area));
+  add(kSceneFile, SceneChange(scene, out, has_area));
   std::set<std::string> compared;
   for (const SceneTile& tile : scene.tiles) {
     const bool is_there = !tile.path.empty() && KindOf(absl::StrCat(out, "/", tile.path)) == PathKind::kFile;

@@ -149,11 +149,16 @@ bool IsDelivered(const Scene& scene) {
                      [](const SceneTile& tile) { return !tile.delivered.empty(); });
 }
 
+TileFrame OutputFrame(const SceneTile& tile) {
+  if (tile.delivered.empty()) return tile.frame;
+  return IsTileset(tile.delivered) ? TileFrame{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1} : TileFrame();
+}
+
 absl::StatusOr<Scene> DeliveredScene(Scene scene, const std::string& root) {
   for (SceneTile& tile : scene.tiles) {
     TILEMEND_ASSIGN_OR_RETURN(const PathKind kind, FindKind(absl::StrCat(root, "/", tile.delivered)));
     tile.path = kind == PathKind::kFile ? tile.delivered : "";
-    tile.frame.clear();
+    tile.frame = tile.path.empty() ? TileFrame() : OutputFrame(tile);
   }
   scene.tileset.clear();
   return scene;

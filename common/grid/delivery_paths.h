@@ -26,6 +26,10 @@ absl::Status SetDeliveryPaths(std::string_view format, Scene& scene);
 // Whether SetDeliveryPaths set any path.
 bool IsDelivered(const Scene& scene);
 
+// The frame of what is written of a tile. A delivered tileset has that of the scene, and does not say so itself:
+// coordinates far from the origin would be taken for Earth-centred ones.
+TileFrame OutputFrame(const SceneTile& tile);
+
 // The scene that the delivered tiles in the folder `root` are.
 absl::StatusOr<Scene> DeliveredScene(Scene scene, const std::string& root);
 

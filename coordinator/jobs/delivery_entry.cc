@@ -129,27 +129,28 @@ absl::Status WriteTileset(const Scene& scene, OutputFolder& output) {
   return WriteFileAtomically(absl::StrCat(output.path(), "/", scene.tileset), text);
 }
 
-// The tileset of tiles that are delivered as 3D Tiles, which says itself where they lie; else a scene.json.
+// The scene that the delivered tiles are, with the tileset of those that are 3D Tiles. That says where they lie on the
+// Earth, but not the cells, the area and the CRS.
 absl::Status WriteDelivery(const Scene& scene, OutputFolder& output) {
   TILEMEND_ASSIGN_OR_RETURN(const DeliveryPlaces places, PlaceDelivery(scene));
+  TILEMEND_ASSIGN_OR_RETURN(Scene delivered, DeliveredScene(scene, output.path()));
   if (places.cells.empty()) {
     TILEMEND_RETURN_IF_ERROR(WriteMetadata(scene, output));
-    TILEMEND_ASSIGN_OR_RETURN(const Scene delivered, DeliveredScene(scene, output.path()));
-    return WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile), SceneJson(delivered));
+  } else {
+    TILEMEND_ASSIGN_OR_RETURN(const std::string text, DeliveryEntry(scene, places, output.path()));
+    output.files().Adopt({kEntryFile});
+    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output.path(), "/", kEntryFile), text));
+    delivered.tileset = kEntryFile;
   }
-  TILEMEND_ASSIGN_OR_RETURN(const std::string text, DeliveryEntry(scene, places, output.path()));
-  output.files().Adopt({kEntryFile});
-  return WriteFileAtomically(absl::StrCat(output.path(), "/", kEntryFile), text);
+  return WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile), SceneJson(delivered));
 }
 
 }  // namespace
 
 absl::Status WriteScene(const Scene& scene, OutputFolder& output) {
   if (IsDelivered(scene)) return WriteDelivery(scene, output);
-  if (scene.found_by_name || scene.tileset.empty()) {  // a tileset says it itself
-    TILEMEND_ASSIGN_OR_RETURN(const Scene filled, FilledScene(scene, output.path()));
-    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile), SceneJson(filled)));
-  }
+  TILEMEND_ASSIGN_OR_RETURN(const Scene filled, FilledScene(scene, output.path()));
+  TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile), SceneJson(filled)));
   TILEMEND_RETURN_IF_ERROR(CarryMetadata(scene, output));
   return WriteTileset(scene, output);
 }

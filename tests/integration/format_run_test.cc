@@ -93,16 +93,38 @@ TEST_F(FormatRunTest, OsgbBecomesATilesetWithTheSameLevels) {
       EXPECT_EQ(TopAt(is.mesh, at), TopAt(was.mesh, at)) << "level " << l;
     }
   }
-  // On the Earth, at the meridian of the zone, and without a hole.
-  const Ended again = Tilemend({"run", folder_ / "out", "--out", folder_ / "again"});
-  ASSERT_TRUE(again.code == 0 || again.code == 100) << again.err;
-  const Json report = ReportOf(folder_ / "again");
-  EXPECT_EQ(report["per_hole"].size(), report["left"].size()) << "only what reaches the rim, which is not known";
+  // With its area and CRS, on the Earth at the meridian of the zone, and without a hole.
+  ExpectNothingIsLeft();
+  for (const char* const out : {"out", "again"}) {
+    const Json json = Json::parse(*ReadFile(folder_ / (std::string(out) + "/scene.json")));
+    EXPECT_EQ(json["crs"], "EPSG:25832") << out;
+    EXPECT_EQ(json["tileset"], "tileset.json") << out;
+    EXPECT_FALSE(json.contains("area_known")) << "it is";
+  }
+  EXPECT_EQ(*ReadFile(folder_ / "again/scene.json"), *ReadFile(folder_ / "out/scene.json"));
   const Json entry = Json::parse(*ReadFile(folder_ / "out/tileset.json"));
   EXPECT_EQ(entry["root"]["children"].size(), 2U);
   EXPECT_NEAR(std::atan2(entry["root"]["transform"][13].get<double>(), entry["root"]["transform"][12].get<double>()),
               9 * M_PI / 180, 1e-4);
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/scene.json"));
+}
+
+// Its coordinates might be Earth-centred ones.
+TEST_F(FormatRunTest, TilesFarFromTheOriginStayInTheirFrame) {
+  std::string obj;
+  for (int j = 0; j <= 8; ++j) {
+    for (int i = 0; i <= 8; ++i) absl::StrAppend(&obj, "v ", i, " ", 6371000 + j, " 0\n");
+  }
+  for (int a = 1; a <= 72; ++a) {
+    if (a % 9 == 0 || a == 41) continue;
+    absl::StrAppend(&obj, "f ", a, " ", a + 1, " ", a + 10, "\nf ", a, " ", a + 10, " ", a + 9, "\n");
+  }
+  folder_.Write("scene/a.obj", obj);
+  folder_.Write("scene/scene.json", R"({"grid_corner": [0, 6371000], "cell_size": 8, "cols": 1, "rows": 1,
+      "tiles": [{"col": 0, "row": 0, "path": "a.obj"}]})");
+  const Ended ended = Tilemend({"run", folder_ / "scene", "--out", folder_ / "out", "--output-format", "3dtiles"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ReportOf(folder_ / "out")["per_hole"].size(), 1U);
+  ExpectNothingIsLeft();
 }
 
 TEST_F(FormatRunTest, OsgbBecomesObjOfTheFinestLevelWithItsImages) {

@@ -110,6 +110,20 @@ TEST(DeliveryPathsTest, TheDeliveredSceneHasTheTilesThatAreThere) {
   ASSERT_TRUE(delivered.ok()) << delivered.status();
   EXPECT_EQ(delivered->tiles[0].path, "a/a.obj");
   EXPECT_EQ(delivered->tiles[1].path, "");
+  EXPECT_TRUE(delivered->tiles[0].frame.empty());
+}
+
+TEST(DeliveryPathsTest, DeliveredTilesetsHaveTheFrameOfTheScene) {
+  const TemporaryFolder folder;
+  folder.Write("a/a.json", "{}");
+  Scene scene = SceneOf({"a/a.obj", "b/b.obj"});
+  ASSERT_TRUE(SetDeliveryPaths("3dtiles", scene).ok());
+  const auto delivered = DeliveredScene(scene, folder.path());
+  ASSERT_TRUE(delivered.ok()) << delivered.status();
+  const TileFrame& frame = delivered->tiles[0].frame;
+  ASSERT_EQ(frame.size(), 16U);
+  for (size_t i = 0; i < 16; ++i) EXPECT_EQ(frame[i], i % 5 == 0 ? 1 : 0);
+  EXPECT_TRUE(delivered->tiles[1].frame.empty()) << "it is not there";
 }
 
 TEST(DeliveryPathsTest, TheFilledSceneHasTilesThatWereAdded) {
