@@ -27,6 +27,18 @@ Plan PlanOf(const SceneMakerOptions& scene, const WaterOptions& water) {
 
 std::vector<Point2> Box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
+// A lake in the west. Beyond a bridge at x = 72 m a canal goes on between high banks.
+SceneMakerOptions LakeAndCanal(Cut cut) {
+  SceneMakerOptions scene = LakeOverNineCells(cut);
+  scene.ellipses = {{{38, 60}, {30, 45}}, {{96, 60}, {20, 38}}};
+  scene.terrain = [](double x, double y) {
+    const double west = Point2((x - 38) / 30, (y - 60) / 45).norm(), east = Point2((x - 96) / 20, (y - 60) / 38).norm();
+    const double ashore = x < 72 ? 3 * std::fmax(west - 1, 0) : 2 * std::fmax(east - 1, 0);
+    return kWaterLevel + ashore + (x < 72 ? 0 : 0.1 * std::fmax(std::abs(y - 60) - 8, 0));
+  };
+  return scene;
+}
+
 class WaterOfAreasTest : public ::testing::TestWithParam<Cut> {};
 
 TEST_P(WaterOfAreasTest, AreasForceAndForbid) {
@@ -113,15 +125,9 @@ TEST_P(WaterOfAreasTest, OffFindsNothingButWhatAreasSay) {
   EXPECT_THAT(PlanOf(LakeOverNineCells(GetParam()), off).water, SizeIs(1));
 }
 
-// Beyond a bridge the canal goes on between high banks, whose rim tells no level of its own.
+// The canal's rim tells no level of its own.
 TEST_P(WaterOfAreasTest, AreasWithoutALevelTakeThatOfTheWaterBeside) {
-  SceneMakerOptions scene = LakeOverNineCells(GetParam());
-  scene.ellipses = {{{38, 60}, {30, 45}}, {{96, 60}, {20, 38}}};
-  scene.terrain = [](double x, double y) {
-    const double west = Point2((x - 38) / 30, (y - 60) / 45).norm(), east = Point2((x - 96) / 20, (y - 60) / 38).norm();
-    const double ashore = x < 72 ? 3 * std::fmax(west - 1, 0) : 2 * std::fmax(east - 1, 0);
-    return kWaterLevel + ashore + (x < 72 ? 0 : 0.1 * std::fmax(std::abs(y - 60) - 8, 0));
-  };
+  const SceneMakerOptions scene = LakeAndCanal(GetParam());
   const WaterArea lake = {true, {{Box(0, 0, 72, 120)}}}, canal = {true, {{Box(72, 0, 120, 120)}}};
   for (const WaterKind kind : {WaterKind::kUnsaid, WaterKind::kLake}) {
     for (const std::vector<WaterArea>& areas : {std::vector{lake, canal}, {canal}}) {
@@ -159,12 +165,7 @@ TEST_P(WaterOfAreasTest, OnePolygonIsOneLakeWhereShoresAgree) {
 
 // The rims of holes that a reviewer decides on go on telling of the water that they were part of.
 TEST_P(WaterOfAreasTest, ADecisionOnOneHoleChangesNoOther) {
-  SceneMakerOptions scene = LakeOverNineCells(GetParam());
-  scene.ellipses = {{{38, 60}, {30, 45}}, {{96, 60}, {20, 38}}};
-  scene.terrain = [](double x, double y) {
-    const double west = Point2((x - 38) / 30, (y - 60) / 45).norm(), east = Point2((x - 96) / 20, (y - 60) / 38).norm();
-    return kWaterLevel + (x < 72 ? 3 * std::fmax(west - 1, 0) : 0.3 + 2 * std::fmax(east - 1, 0));
-  };
+  const SceneMakerOptions scene = LakeAndCanal(GetParam());
   const auto level_west = [](const Plan& plan) {
     for (const WaterBody& body : plan.water) {
       const PlannedHole& hole = plan.holes[body.holes.front()];
