@@ -1,8 +1,6 @@
 #include "client/water_proposal.h"
 
-#include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <limits>
 #include <system_error>
 #include <utility>
@@ -41,26 +39,10 @@ void KeepInside(const PolygonIndex& area, GroundRaster& raster) {
   }
 }
 
-// Whether surface shows how a shore rises: edges of its boundary are not longer, in the median, than ground is looked
-// for.
-bool ShowsShores(const SurveyRecord& record) {
-  std::vector<double> lengths;
-  for (const BoundaryEdge& e : record.edges) {
-    const Point3 along = record.vertices[e.to].position - record.vertices[e.from].position;
-    lengths.push_back(along.head<2>().norm());
-  }
-  if (lengths.empty()) return true;
-  const auto middle = lengths.begin() + std::ssize(lengths) / 2;
-  std::ranges::nth_element(lengths, middle);
-  return *middle <= LevelRegionOptions().shore_reach;
-}
-
 std::vector<ProposedSurface> SurfacesOf(const SceneWaves& waves) {
   std::vector<GroundRaster> rasters;
   for (const auto& [cell, stored] : waves.survey().records()) {
-    if (stored == nullptr) continue;
-    const auto record = stored.Outline();
-    if (ShowsShores(*record)) rasters.push_back(record->lowest);
+    if (stored != nullptr) rasters.push_back(stored.Outline()->lowest);
   }
   const PlanePolygon& area = waves.scene().area;
   if (!area.empty()) {

@@ -15,9 +15,9 @@ namespace tilemend {
 // Returns kAlreadyExists for an existing file unless `overwrite`.
 absl::Status CheckWaterProposal(const std::string& path, bool overwrite);
 
-// Writes polygons for --water: the waters that the plan fills, and surface that looks like water (water_surfaces.h),
-// but for tiles whose edges are longer than the search for a shore reaches. Returns the properties of each.
-// Precondition: the waves are planned. Errors of CheckWaterProposal, AskGdal and WriteFileAtomically.
+// Writes polygons for --water: the waters that the plan fills, and surface that looks like water (water_surfaces.h).
+// Returns the properties of each. Precondition: the waves are planned. Errors of CheckWaterProposal, AskGdal and
+// WriteFileAtomically.
 absl::StatusOr<nlohmann::ordered_json> WriteWaterProposal(const std::string& path, bool overwrite,
                                                           const SceneWaves& waves);
 

@@ -23,14 +23,14 @@ constexpr int kSide = 80;  // metres: of a cell, with a vertex every 2 m
 
 double HeightAt(int x, int y) { return std::abs(y - kSide / 2) < 10 ? 1 + 0.02 * ((x + y) % 3) : 3 + 0.01 * x; }
 
-// A tile with a canal along its middle, `scale` times as large.
-std::string TileText(int col, int scale) {
+// A tile with a canal along its middle.
+std::string TileText(int col) {
   const int n = kSide / 2;
   std::string vertices, faces;
   for (int j = 0; j <= n; ++j) {
     for (int i = 0; i <= n; ++i) {
       const int x = col * kSide + 2 * i, y = 2 * j;
-      absl::StrAppend(&vertices, scale * x, " ", scale * y, " ", HeightAt(x, y), "\n");
+      absl::StrAppend(&vertices, x, " ", y, " ", HeightAt(x, y), "\n");
       if (i == n || j == n) continue;
       const int a = j * (n + 1) + i;
       absl::StrAppend(&faces, "3 ", a, " ", a + 1, " ", a + n + 2, "\n3 ", a, " ", a + n + 2, " ", a + n + 1, "\n");
@@ -43,13 +43,11 @@ std::string TileText(int col, int scale) {
 
 class WaterProposalTest : public ::testing::Test {
  protected:
-  void Inspect(int scale = 1) {
-    for (const int col : {0, 1}) folder_.Write(absl::StrCat("tile", col, ".ply"), TileText(col, scale));
-    folder_.Write(
-        "scene.json",
-        absl::StrCat(R"({"crs": "EPSG:25832", "origin": [691000, 5334000, 500], "cell_size": )", scale * kSide,
-                     R"(, "cols": 2, "rows": 1, "tiles": [{"col": 0, "row": 0, "path": "tile0.ply"},
-                                   {"col": 1, "row": 0, "path": "tile1.ply"}]})"));
+  WaterProposalTest() {
+    for (const int col : {0, 1}) folder_.Write(absl::StrCat("tile", col, ".ply"), TileText(col));
+    folder_.Write("scene.json",
+                  R"({"crs": "EPSG:25832", "origin": [691000, 5334000, 500], "cell_size": 80, "cols": 2, "rows": 1,
+                      "tiles": [{"col": 0, "row": 0, "path": "tile0.ply"}, {"col": 1, "row": 0, "path": "tile1.ply"}]})");
     auto scene = LoadScene(folder_.path(), {});
     EXPECT_TRUE(scene.ok()) << scene.status();
     inspection_ = InspectScene(*std::move(scene), {});
@@ -60,18 +58,7 @@ class WaterProposalTest : public ::testing::Test {
   Inspection inspection_;
 };
 
-// With edges of 16 m no shore can be seen: in elevation models every valley floor would be water.
-TEST_F(WaterProposalTest, CoarseSurfaceIsNotProposed) {
-  for (const int scale : {4, 8}) {
-    Inspect(scale);
-    const auto proposed = WriteWaterProposal(folder_ / "water.geojson", true, *inspection_.waves);
-    ASSERT_TRUE(proposed.ok()) << proposed.status();
-    EXPECT_THAT(*proposed, SizeIs(scale == 4 ? 1 : 0));
-  }
-}
-
 TEST_F(WaterProposalTest, ACanalIsProposedAndReadBack) {
-  Inspect();
   for (const char* name : {"water.gpkg", "water.geojson"}) {
     const std::string path = folder_ / name;
     const auto proposed = WriteWaterProposal(path, false, *inspection_.waves);
@@ -93,7 +80,6 @@ TEST_F(WaterProposalTest, ACanalIsProposedAndReadBack) {
 }
 
 TEST_F(WaterProposalTest, AFileThatIsThereStays) {
-  Inspect();
   const std::string path = folder_.Write("water.geojson", "mine");
   EXPECT_TRUE(absl::IsAlreadyExists(WriteWaterProposal(path, false, *inspection_.waves).status()));
   EXPECT_EQ(*ReadFile(path), "mine");
