@@ -81,6 +81,19 @@ TEST_F(CrsThatNamesFilesTest, OfGeoJsonIsRefused) {
   EXPECT_THAT(std::string(status.message()), HasSubstr("names a file"));
 }
 
+// The .dbf beside it: one column of one letter, and one row.
+std::string OneRow() {
+  std::string bytes = {3, 126, 1, 1, 1, 0, 0, 0, 65, 0, 2, 0};
+  bytes.resize(32);
+  bytes += "id";
+  bytes.resize(43);
+  bytes += 'C';
+  bytes.resize(48);
+  bytes += '\1';
+  bytes.resize(64);
+  return bytes + "\r 1\x1a";
+}
+
 // Of a shapefile with one square, in the order of its format.
 class ShapefileBytes {
  public:
@@ -128,7 +141,7 @@ TEST_F(CrsThatNamesFilesTest, OfAShapefileIsRefused) {
       ProjString() + R"("]])";
   for (const std::string& crs : {projected, BoundCrs()}) {
     const ShapefileBytes lakes(SquareAt(690010, 5335010, 20));
-    const auto file = ParseWaterFile({lakes.bytes(), {{"prj", crs}}}, "lakes.shp", Utm32());
+    const auto file = ParseWaterFile({lakes.bytes(), {{"dbf", OneRow()}, {"prj", crs}}}, "lakes.shp", Utm32());
     std::cout << file.status() << (file.ok() && !file->warnings.empty() ? file->warnings.front() : "") << '\n';
     if (file.ok()) {  // GDAL itself may not take it for a CRS
       EXPECT_THAT(file->warnings, ::testing::Contains(HasSubstr("names no CRS that is known")));

@@ -19,13 +19,14 @@ EliminationOrder OrderOf(const Eigen::SparseMatrix<double>& lower);
 
 // A sparse Cholesky factorisation of a symmetric matrix, of which `lower` is the lower triangle. Its memory is that of
 // the triangle and of the factor. Eigen's own way to the order would have whole copies of the matrix beside them.
-//   is_cancelled  asked for each column, since a factorisation may take minutes; true ends it, and it is not ok
+//   is_cancelled  asked before it is ordered and for each column, since a factorisation may take minutes; true ends
+//                 it, and it is not ok
 class SymmetricFactorization {
  public:
   explicit SymmetricFactorization(Eigen::SparseMatrix<double> lower, const std::function<bool()>& is_cancelled = {});
   SymmetricFactorization(EliminationOrder order, Eigen::SparseMatrix<double> lower,
                          const std::function<bool()>& is_cancelled = {});
-  bool ok() const { return solver_.info() == Eigen::Success; }
+  bool ok() const { return solver_.ok(); }
   Eigen::VectorXd Solve(const Eigen::VectorXd& right_side) const;
   Eigen::MatrixXd Solve(const Eigen::MatrixXd& right_sides) const;  // each column
 
@@ -37,9 +38,12 @@ class SymmetricFactorization {
    public:
     // As compute(upper), unless it is cancelled.
     void Factorize(const Eigen::SparseMatrix<double>& upper, const std::function<bool()>& is_cancelled);
+    bool ok() const { return is_begun_ && info() == Eigen::Success; }
 
    private:
     class Rows;
+
+    bool is_begun_ = false;
   };
 
   EliminationOrder back_;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -34,19 +33,24 @@ constexpr double kFirstCost = 0.5;
 
 // Half the length of the edges at each point that only one triangle has, seen from above.
 std::vector<double> EdgeLengths(const ThinPlateProblem& problem) {
-  std::map<std::pair<int32_t, int32_t>, int> triangles_at;
+  std::vector<std::pair<int32_t, int32_t>> edges;  // once for each triangle
   for (const Triangle& t : problem.patch) {
-    for (int k = 0; k < 3; ++k) ++triangles_at[std::minmax(t[k], t[(k + 1) % 3])];
+    for (int k = 0; k < 3; ++k) edges.emplace_back(std::minmax(t[k], t[(k + 1) % 3]));
   }
+  std::ranges::sort(edges);
   std::vector<double> lengths(problem.points.size(), 0);
-  for (const auto& [edge, count] : triangles_at) {
-    if (count != 1) continue;
-    const double half = (problem.points[edge.first] - problem.points[edge.second]).head<2>().norm() / 2;
-    lengths[edge.first] += half;
-    lengths[edge.second] += half;
+  for (size_t i = 0, next = 0; i < edges.size(); i = next) {
+    while (next < edges.size() && edges[next] == edges[i]) ++next;
+    if (next > i + 1) continue;
+    const auto [a, b] = edges[i];
+    const double half = (problem.points[a] - problem.points[b]).head<2>().norm() / 2;
+    lengths[a] += half;
+    lengths[b] += half;
   }
   return lengths;
 }
+
+bool IsCancelled(const ThinPlateProblem& problem) { return problem.is_cancelled && problem.is_cancelled(); }
 
 class WalledGround {
   using Entries = std::vector<Eigen::Triplet<double>>;
@@ -78,6 +82,7 @@ class WalledGround {
   std::optional<std::vector<double>> Solve() {
     if (lowest_ > highest_) return std::nullopt;
     for (int round = 0; unknowns_ > 0 && round < kMostRounds; ++round) {
+      if (IsCancelled(problem_)) return std::nullopt;
       const std::optional<double> moved = SolveRound(round == 0);
       if (!moved) return std::nullopt;
       if (round > 0 && *moved < kSettled) break;
@@ -126,6 +131,7 @@ class WalledGround {
   // How far the height that moves most has moved.
   std::optional<double> SolveRound(bool is_first) {
     Eigen::SparseMatrix<double> matrix = MakeEquations(is_first);
+    if (IsCancelled(problem_)) return std::nullopt;
     if (is_first) order_ = OrderOf(matrix);
     const SymmetricFactorization factorization(order_, matrix, problem_.is_cancelled);
     if (!factorization.ok()) return std::nullopt;
@@ -265,6 +271,7 @@ std::vector<RimReading> SettledReadingsOf(const LocalHole& hole) {
 }
 
 bool SolveWalledGround(const std::vector<RimReading>& readings, const GroundTrend& trend, ThinPlateProblem& problem) {
+  if (IsCancelled(problem)) return false;
   WalledGround ground(readings, trend, problem);
   const std::optional<std::vector<double>> heights = ground.Solve();
   if (!heights) return false;
