@@ -124,10 +124,11 @@ def descriptors_of(bench):
 
 def watch_often(bench, scene, count, most):
     start(bench, 4096)
+    open_before = descriptors_of(bench)  # the submission has some for a moment
     made = bench.client('submit', scene, '--out', os.path.join(bench.folder, 'watched'))
     require(made.returncode == 0, made.stderr)
     name = next(word for word in made.stdout.replace('\n', ' ').split() if word.startswith('jobs/'))
-    before, open_before = status_of(bench, 'Threads:'), descriptors_of(bench)
+    before = status_of(bench, 'Threads:')
     watches = [subprocess.Popen([bench.program('tilemend'), 'watch', name, '--coordinator', bench.address],
                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) for _ in range(count)]
     await_('the watches', lambda: descriptors_of(bench) >= open_before + count)
