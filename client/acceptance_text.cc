@@ -40,10 +40,11 @@ bool HasCrossings(const Acceptance& acceptance) {
 }  // namespace
 
 std::string VerdictOf(const Acceptance& acceptance) {
-  const int64_t tiles = acceptance.tiles + acceptance.cells_left_out;
-  const std::string left_out = acceptance.cells_left_out == 0 ? ""
-                                                              : absl::StrCat("; the output has ", acceptance.tiles,
-                                                                             " of ", tiles, " tiles, as --cells chose");
+  std::string left_out;
+  if (acceptance.cells_left_out > 0) {
+    left_out = absl::StrCat("; ", acceptance.tiles, " of ", acceptance.tiles + acceptance.cells_left_out,
+                            " tiles were chosen by --cells");
+  }
   if (acceptance.IsAccepted()) {
     return absl::StrCat("accepted: all ", acceptance.original_faces - acceptance.cleared_faces,
                         " original triangles are there, and nothing is wrong with the ", acceptance.added_faces,

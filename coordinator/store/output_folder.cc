@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
 #include "common/records/output_names.h"
 #include "common/util/error_info.h"
@@ -53,8 +52,7 @@ absl::Status CheckApart(const std::string& path, const Scene& scene, const std::
   }
   FolderSet sources, scene_folder;
   scene_folder.Insert(root);
-  const auto is_tileset = [](const SceneTile& tile) { return absl::EndsWith(tile.path, ".json"); };
-  if (scene.found_by_name && std::ranges::none_of(scene.tiles, is_tileset)) {
+  if (scene.found_by_name && std::ranges::none_of(scene.tiles, IsTileset, &SceneTile::path)) {
     sources.Insert(root);  // the next search there would find the output's tiles too
   }
   for (const std::string& folder : FoldersOf(inputs)) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Cancels a job, and stops a worker, while a worker computes the fill of one large hole, which takes minutes.
 
-    cancel_test.py BIN [--vertices 60000] [--waits 2 15] [--most-seconds 60]
+    cancel_test.py BIN [--vertices 60000] [--waits 2 15] [--most-seconds 20]
 
 BIN has tilemend, tilemend-coordinator, tilemend-worker and tilemend-make-scene. The hole has a rim of `vertices`
 vertices. It is filled by a coordinator and two workers. `waits` seconds after the fill began, the job is cancelled.
@@ -143,7 +143,7 @@ def main():
     parser.add_argument('bin')
     parser.add_argument('--vertices', type=int, default=60000)
     parser.add_argument('--waits', type=float, nargs='+', default=[2, 15])
-    parser.add_argument('--most-seconds', type=float, default=60)
+    parser.add_argument('--most-seconds', type=float, default=20)
     options = parser.parse_args()
 
     def attack_with(bench):

@@ -239,6 +239,7 @@ TEST_F(SceneRunTest, OfChosenCellsTheOthersAreNoHoles) {
   ASSERT_EQ(Run(scene, out, {"--cells", "1,1"}).code, 0);
   const Ended checked = Tilemend({"check", out});
   EXPECT_THAT(checked.out, HasSubstr("        0  holes")) << checked.out;
+  EXPECT_THAT(Tilemend({"check", scene, out}).out, HasSubstr("; 1 of 12 tiles were chosen by --cells\n"));
 }
 
 TEST_F(SceneRunTest, CheckOfAnOutputNeedsItsReport) {

@@ -259,7 +259,7 @@ class WaterFinder {
       for (GivenWater& water : WaterOfArea(area, std::move(parts), options_.profile.least_river)) {
         if (!area.level && area.kind != WaterKind::kRiver && water.body.river.stations.empty()) {
           for (const size_t g : water.parts) groups_[g].open_lake = lakes.size();
-          Basin basin = BasinOf(water.parts);
+          Basin basin = *BasinOf(water.parts);  // each part has a rim
           if (area.kind == WaterKind::kLake) basin.river.reset();
           lakes.push_back({std::move(water), std::move(basin), area.kind != WaterKind::kLake});
           continue;
@@ -326,26 +326,27 @@ class WaterFinder {
     Group& group = groups_[g];
     const bool is_given = group.decider && options_.areas[*group.decider].decision == ReviewDecision::kNone;
     if (is_given || group.open_lake || group.is_known || !options_.find) return;
-    if (RimChainsOf(plan_, group.holes).empty()) {
-      if (!group.decider) group.evidence.reason = kNoRim;
-    } else {
-      basins.push_back(BasinOf({g}));
+    if (std::optional<Basin> basin = BasinOf({g})) {
+      basins.push_back(*std::move(basin));
+    } else if (!group.decider) {
+      group.evidence.reason = kNoRim;
     }
   }
 
-  // Of groups that are one. Precondition: their rims have an edge.
-  Basin BasinOf(std::vector<size_t> groups) const {
+  // Of groups that are one; none if they have no original edge on their rims.
+  std::optional<Basin> BasinOf(std::vector<size_t> groups) const {
     std::ranges::sort(groups);
     std::vector<int32_t> holes;
-    std::vector<std::vector<PlaneSegment>> outlines;
     double area = 0;
     for (const size_t g : groups) {
       holes.insert(holes.end(), groups_[g].holes.begin(), groups_[g].holes.end());
-      outlines.push_back(BoundaryOf(plan_, groups_[g].holes));
       area += groups_[g].area;
     }
-    return MakeBasin(std::move(groups), std::move(outlines), RimChainsOf(plan_, holes), area,
-                     options_.profile.least_river);
+    std::vector<RimChain> rim = RimChainsOf(plan_, holes);
+    if (rim.empty()) return std::nullopt;
+    std::vector<std::vector<PlaneSegment>> outlines;
+    for (const size_t g : groups) outlines.push_back(BoundaryOf(plan_, groups_[g].holes));
+    return MakeBasin(std::move(groups), std::move(outlines), std::move(rim), area, options_.profile.least_river);
   }
 
   void Decide(const Basin& basin, const GroundAround& around) {

@@ -71,22 +71,9 @@ class SymmetricFactorization::Solver::Rows {
   std::vector<int> columns_;
 };
 
-namespace {
-
-// Any order, where it is cancelled: nothing is computed in it.
-EliminationOrder OrderUnless(const std::function<bool()>& is_cancelled, const Eigen::SparseMatrix<double>& lower) {
-  if (!is_cancelled || !is_cancelled()) return OrderOf(lower);
-  EliminationOrder any(lower.rows());
-  any.setIdentity();
-  return any;
-}
-
-}  // namespace
-
 // The arithmetic is that of Eigen's factorize_preordered, in the same order.
 void SymmetricFactorization::Solver::Factorize(const Eigen::SparseMatrix<double>& upper,
                                                const std::function<bool()>& is_cancelled) {
-  if (is_cancelled && is_cancelled()) return;
   is_begun_ = true;
   analyzePattern(upper);
   const auto size = static_cast<int>(upper.cols());
@@ -118,12 +105,19 @@ void SymmetricFactorization::Solver::Factorize(const Eigen::SparseMatrix<double>
 }
 
 SymmetricFactorization::SymmetricFactorization(Eigen::SparseMatrix<double> lower,
-                                               const std::function<bool()>& is_cancelled)
-    : SymmetricFactorization{OrderUnless(is_cancelled, lower), lower, is_cancelled} {}
+                                               const std::function<bool()>& is_cancelled) {
+  if (is_cancelled && is_cancelled()) return;
+  back_ = OrderOf(lower);
+  Factorize(std::move(lower), is_cancelled);
+}
 
 SymmetricFactorization::SymmetricFactorization(EliminationOrder order, Eigen::SparseMatrix<double> lower,
                                                const std::function<bool()>& is_cancelled)
     : back_(std::move(order)) {
+  Factorize(std::move(lower), is_cancelled);
+}
+
+void SymmetricFactorization::Factorize(Eigen::SparseMatrix<double> lower, const std::function<bool()>& is_cancelled) {
   Eigen::SparseMatrix<double> ordered(lower.rows(), lower.cols());
   ordered.selfadjointView<Eigen::Upper>() = lower.selfadjointView<Eigen::Lower>().twistedBy(back_.inverse());
   lower = Eigen::SparseMatrix<double>();

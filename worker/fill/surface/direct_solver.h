@@ -46,6 +46,8 @@ class SymmetricFactorization {
     bool is_begun_ = false;
   };
 
+  void Factorize(Eigen::SparseMatrix<double> lower, const std::function<bool()>& is_cancelled);
+
   EliminationOrder back_;
   Solver solver_;
 };

@@ -146,7 +146,7 @@ TEST(SolveThinPlateTest, EndsSoonWhereverItIsCancelled) {
   for (const int at : {1, all / 2, all}) {
     end = at;
     EXPECT_FALSE(solve(plate.problem)) << at;
-    EXPECT_LE(asked, at + 2);
+    EXPECT_LE(asked, at + 1);
   }
 }
 
