@@ -11,6 +11,8 @@
 #include "client/output.h"
 #include "client/output_file.h"
 #include "client/progress_display.h"
+#include "client/report_page.h"
+#include "client/saved_acceptance.h"
 #include "common/util/exit_codes.h"
 #include "common/util/files.h"
 #include "common/util/text.h"
@@ -46,6 +48,12 @@ int AcceptanceCommand(const Args& args) {
   PrintWarnings(acceptance->warnings);
   if (!csv.empty()) {
     const absl::Status written = WriteFileAtomically(csv, AcceptanceCsv(*acceptance));
+    if (!written.ok()) return PrintError(written);
+  }
+  if (args.Switch("page")) {
+    const std::string& out = args.arguments()[1];
+    absl::Status written = SaveAcceptance(out, *acceptance, absl::Now());
+    if (written.ok()) written = WriteReportPage(out);
     if (!written.ok()) return PrintError(written);
   }
   const std::string text =

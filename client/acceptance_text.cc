@@ -100,7 +100,10 @@ Json AcceptanceJson(const Acceptance& acceptance) {
       if (!place.note.empty()) row["note"] = place.note;
       places.push_back(std::move(row));
     }
-    findings[finding.name] = {{"fault", finding.is_fault}, {"count", finding.count}, {"places", std::move(places)}};
+    findings[finding.name] = {{"text", finding.count == 1 ? finding.one : finding.many},
+                              {"fault", finding.is_fault},
+                              {"count", finding.count},
+                              {"places", std::move(places)}};
   }
   return {{"accepted", acceptance.IsAccepted()},
           {"verdict", VerdictOf(acceptance)},

@@ -351,8 +351,10 @@ int CheckCommand(const Args& args) {
     }
     return AcceptanceCommand(args);
   }
-  if (args.IsGiven("csv"))
-    return PrintUsageError(absl::InvalidArgumentError("check: --csv needs a scene and an output"));
+  for (const char* const flag : {"csv", "page"}) {
+    if (!args.IsGiven(flag)) continue;
+    return PrintUsageError(absl::InvalidArgumentError(absl::StrCat("check: --", flag, " needs a scene and an output")));
+  }
   const auto format = FormatFromFlags(args);
   if (!format.ok()) return PrintUsageError(format.status());
   const auto limits = LimitsFromFlags(args);

@@ -37,7 +37,9 @@ FlagSpec VerboseFlag() { return {"verbose", "", "show the job, its phases and it
 
 std::vector<FlagSpec> LocalFlags() {
   return Join(
-      {{"workers", "N", "tasks at once, 1 to 1024 (default: the number of cores)", ""}, VerboseFlag()},
+      {{"workers", "N", "tasks at once, 1 to 1024 (default: the number of cores)", ""},
+       {"check", "", "compare the output with the scene, as `tilemend check` does; 100 if it is not accepted", ""},
+       VerboseFlag()},
       Advanced({{"task-memory", "MB", "memory that tasks take at once, 64 to 1e6; one alone may take more", "384"},
                 {"work", "DIR", "folder for intermediate files (default: the system's temporary folder)", ""}}));
 }
@@ -70,7 +72,8 @@ std::vector<FlagSpec> CheckFlags() {
           {"spike-angle", "DEGREES", "a vertex with less about it, on long edges, is a spike", "90"},
           {"small-component", "EDGES", "no wider pieces are small, in mean edges of the mesh", "5"},
           {"small-hole", "EDGES", "holes with no more boundary edges are small", "12"},
-          {"csv", "FILE", "with OUT: write the places that were found as CSV", ""}};
+          {"csv", "FILE", "with OUT: write the places that were found as CSV", ""},
+          {"page", "", "with OUT: show the verdict in its report.html; it is kept as acceptance.json", ""}};
 }
 
 std::vector<FlagSpec> ReportFlags() {

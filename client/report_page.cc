@@ -10,6 +10,7 @@
 #include "client/page_assets.h"
 #include "client/page_data.h"
 #include "client/page_pictures.h"
+#include "client/saved_acceptance.h"
 #include "common/grid/delivery_paths.h"
 #include "common/grid/scene.h"
 #include "common/store/digest.h"
@@ -87,6 +88,7 @@ absl::Status WriteReportPage(const std::string& out) {
   const Scene* const known = scene.ok() ? &*scene : nullptr;
   Json data = PageData(report, known, pictures);
   data["out"] = AbsoluteFolder(out);
+  TILEMEND_ASSIGN_OR_RETURN(data["acceptance"], SavedAcceptance(out));
   TILEMEND_ASSIGN_OR_RETURN(data["review"], ReviewOf(report, out, known));
   return WriteFileAtomically(absl::StrCat(out, "/report.html"), ReportPage(data));
 }

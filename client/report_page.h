@@ -14,9 +14,10 @@ namespace tilemend {
 // by their SHA-256. No text of the data can end the element that it is in.
 std::string ReportPage(const nlohmann::ordered_json& data);
 
-// Writes report.html and holes.csv beside report.json in the folder `out` of an output. Pictures need the scene that
-// the report names; without it the page has none, and says why. Errors of ReadFile and WriteFileAtomically;
-// kInvalidArgument if report.json is none. Cost: PagePictures, and linear in the report.
+// Writes report.html and holes.csv beside report.json in the folder `out` of an output. With acceptance.json it shows
+// that verdict. Pictures need the scene that the report names; without it the page has none, and says why. Errors of
+// ReadFile and WriteFileAtomically; kInvalidArgument if report.json is none. Cost: PagePictures, and linear in the
+// report.
 absl::Status WriteReportPage(const std::string& out);
 
 }  // namespace tilemend

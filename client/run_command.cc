@@ -5,9 +5,12 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "absl/strings/str_cat.h"
+#include "client/acceptance.h"
+#include "client/acceptance_text.h"
 #include "client/commands.h"
 #include "client/job_client.h"
 #include "client/job_end.h"
@@ -17,10 +20,12 @@
 #include "client/report_page.h"
 #include "client/report_text.h"
 #include "client/run_display.h"
+#include "client/saved_acceptance.h"
 #include "client/unfinished.h"
 #include "client/work_folder.h"
 #include "common/rpc/status_proto.h"
 #include "common/util/error_info.h"
+#include "common/util/exit_codes.h"
 #include "common/util/folders.h"
 #include "common/util/heap.h"
 #include "common/util/signals.h"
@@ -174,8 +179,27 @@ void PrintJob(const v1::Job& job, OutputFormat format, const std::string& page) 
   if (!page.empty()) std::fputs(("\n" + PageLine(page)).c_str(), stdout);
 }
 
+// `--check` compares tiles of one format.
+absl::Status CheckCanFollow(const v1::JobSpec& spec) {
+  v1::Job done;
+  done.set_state(v1::DONE);
+  *done.mutable_spec() = spec;
+  if (CanBeChecked(done)) return absl::OkStatus();
+  return absl::InvalidArgumentError(spec.dry_run() ? "run: --check needs an output, and --dry-run writes none"
+                                                   : "run: --check compares tiles of one format; give --output-format "
+                                                     "same, or leave --check out");
+}
+
+// Compares the output with the scene, and keeps the verdict for the page.
+absl::StatusOr<Acceptance> Accept(const std::string& scene, const std::string& out) {
+  StepDisplay display;
+  TILEMEND_ASSIGN_OR_RETURN(Acceptance acceptance, CheckAcceptance(scene, out, display.Watcher()));
+  TILEMEND_RETURN_IF_ERROR(SaveAcceptance(out, acceptance, absl::Now()));
+  return acceptance;
+}
+
 // The result, without a word on jobs and tasks: on a terminal short, else whole.
-void PrintResult(const v1::Job& job, const std::string& scene, const std::string& page) {
+void PrintResult(const v1::Job& job, const std::string& page) {
   if (job.report().empty()) {
     std::fputs(EndWithoutReport(job).c_str(), stdout);
     return;
@@ -191,8 +215,40 @@ void PrintResult(const v1::Job& job, const std::string& scene, const std::string
                                     : absl::StrCat(Printable(job.message()), "\n", SummaryText(*report, columns));
   std::fputs(text.c_str(), stdout);
   const std::string where = page.empty() ? absl::StrCat("report: ", Printable(job.report()), "\n") : PageLine(page);
-  const std::string check = CanBeChecked(job) ? CheckLine(scene, job.spec().out()) : "";
-  std::fputs(absl::StrCat("\n", where, check).c_str(), stdout);
+  std::fputs(absl::StrCat("\n", where).c_str(), stdout);
+}
+
+// What became of a job that failed or was cancelled.
+void PrintFailure(const v1::Job& job) {
+  if (job.state() == v1::FAILED) PrintError(StatusFromProto(job.error()));
+  if (!LeftUnfinished(job)) return;
+  const char* const first = ExitCodeOf(job) == kExitInvalidInput ? "once that is mended, " : "";
+  std::fprintf(stderr, "tilemend: %s is not complete; %sthe same command completes it\n",
+               Printable(job.spec().out()).c_str(), first);
+}
+
+// How a finished job can be checked, or what the check says. `acceptance`: of --check. The exit code.
+int PrintAcceptance(const v1::Job& job, const std::string& scene,
+                    const std::optional<absl::StatusOr<Acceptance>>& acceptance, OutputFormat format) {
+  const bool is_table = format == OutputFormat::kTable;
+  if (!acceptance) {
+    if (is_table && CanBeChecked(job)) std::fputs(CheckLine(scene, job.spec().out()).c_str(), stdout);
+    return kExitDone;
+  }
+  if (!acceptance->ok()) return PrintError(acceptance->status());
+  PrintWarnings((*acceptance)->warnings);
+  const bool is_accepted = (*acceptance)->IsAccepted();
+  const std::string text = is_accepted ? absl::StrCat(VerdictOf(**acceptance), "\n") : AcceptanceText(**acceptance);
+  if (is_table) std::fputs(absl::StrCat("\n", text).c_str(), stdout);
+  return is_accepted ? kExitDone : kExitSomeLeft;
+}
+
+// Runs the job in a work folder that goes away again.
+absl::StatusOr<v1::Job> RunLocally(const Args& args, const v1::JobSpec& spec, const Means& means, bool is_plain) {
+  SignalWatcher signals;  // before any other thread; until the work folder is gone
+  TILEMEND_ASSIGN_OR_RETURN(const WorkFolder work_folder, WorkFolder::Make(args.Text("work")));
+  KeepHeap(means.threads);
+  return RunAndShow(spec, means, work_folder.path(), signals, is_plain);
 }
 
 }  // namespace
@@ -204,19 +260,15 @@ int RunCommand(const Args& args) {
   if (!spec.ok()) return PrintUsageError(spec.status());
   const auto means = MeansFromFlags(args);
   if (!means.ok()) return PrintUsageError(means.status());
-  SignalWatcher signals;  // before any other thread; until the work folder is gone
-  const auto work_folder = WorkFolder::Make(args.Text("work"));
-  if (!work_folder.ok()) return PrintError(work_folder.status());
-  KeepHeap(means->threads);
+  const absl::Status can_check = args.Switch("check") ? CheckCanFollow(*spec) : absl::OkStatus();
+  if (!can_check.ok()) return PrintUsageError(can_check);
+  const std::string& scene = args.arguments().front();
   const bool is_plain = *format == OutputFormat::kTable && !args.Switch("verbose");
-  const auto job = RunAndShow(*spec, *means, work_folder->path(), signals, is_plain);
+  const auto job = RunLocally(args, *spec, *means, is_plain);
   if (!job.ok()) return PrintError(job.status());
-  if (job->state() == v1::FAILED) PrintError(StatusFromProto(job->error()));
-  if (LeftUnfinished(*job)) {
-    const char* const first = ExitCodeOf(*job) == kExitInvalidInput ? "once that is mended, " : "";
-    std::fprintf(stderr, "tilemend: %s is not complete; %sthe same command completes it\n",
-                 Printable(spec->out()).c_str(), first);
-  }
+  PrintFailure(*job);
+  std::optional<absl::StatusOr<Acceptance>> acceptance;
+  if (args.Switch("check") && CanBeChecked(*job)) acceptance = Accept(scene, spec->out());
   const std::string page = WritePage(*job);
   if (LacksPage(*job)) {
     const std::string out = Printable(spec->out());
@@ -226,11 +278,12 @@ int RunCommand(const Args& args) {
   // A job that failed before its first phase has nothing more to tell.
   const bool only_error = job->state() == v1::FAILED && job->progress().phase().empty();
   if (is_plain) {
-    PrintResult(*job, args.arguments().front(), page);
+    PrintResult(*job, page);
   } else if (!only_error || *format == OutputFormat::kJson) {
     PrintJob(*job, *format, page);
   }
-  return ExitCodeOf(*job);
+  const int accepted = PrintAcceptance(*job, scene, acceptance, *format);
+  return ExitCodeOf(*job) == kExitDone ? accepted : ExitCodeOf(*job);
 }
 
 }  // namespace tilemend

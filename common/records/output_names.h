@@ -7,8 +7,10 @@
 namespace tilemend {
 
 // What a complete output has beside its tiles; the report comes first.
-inline constexpr const char* kReportFiles[] = {"report.json", "holes.geojson", "breaklines.geojson", "report.html",
-                                               "holes.csv"};
+inline constexpr const char* kReportFiles[] = {"report.json", "holes.geojson", "breaklines.geojson",
+                                               "report.html", "holes.csv",     "acceptance.json"};
+// What the acceptance check found.
+inline constexpr const char* kAcceptanceFile = kReportFiles[5];
 // What says where its tiles lie.
 inline constexpr char kSceneFile[] = "scene.json";
 inline constexpr char kMetadataFile[] = "metadata.xml";

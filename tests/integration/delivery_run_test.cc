@@ -217,6 +217,34 @@ TEST_F(DeliveryRunTest, AMissingTileIsNamed) {
   EXPECT_EQ(Count(Check(100), "missing_tiles"), 1);
 }
 
+TEST_F(DeliveryRunTest, ARunCanCheckItsOutput) {
+  const Ended accepted = Tilemend({"run", folder_ / "scene", "--out", folder_ / "checked", "--check"});
+  EXPECT_EQ(accepted.code, 0) << accepted.err;
+  EXPECT_THAT(accepted.out, HasSubstr("\naccepted: all "));
+  EXPECT_EQ(Json::parse(Read("checked/acceptance.json"))["accepted"], true);
+  EXPECT_THAT(Read("checked/report.html"), HasSubstr("\"verdict\":\"accepted: all "));
+  const Ended again = Tilemend({"run", folder_ / "scene", "--out", folder_ / "checked", "--overwrite"});
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_FALSE(ReadFile(folder_ / "checked/acceptance.json").ok()) << "it was of the output before";
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--dry-run"}, {"--output-format", "ply"}}) {
+    std::vector<std::string> words = {"run", folder_ / "scene", "--out", folder_ / "other", "--check"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Ended refused = Tilemend(words);
+    EXPECT_EQ(refused.code, 2) << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr("run: --check ")) << more.front();
+  }
+}
+
+TEST_F(DeliveryRunTest, ACheckCanShowItsVerdictOnThePage) {
+  ChangeLastLine(kTile, "f ", "");
+  const Ended ended = Tilemend({"check", folder_ / "scene", folder_ / "out", "--page"});
+  EXPECT_EQ(ended.code, 100) << ended.err;
+  EXPECT_THAT(Read("out/report.html"), HasSubstr("\"verdict\":\"not accepted: "));
+  const Ended no_output = Tilemend({"check", folder_ / "scene", "--page"});
+  EXPECT_EQ(no_output.code, 2);
+  EXPECT_THAT(no_output.err, HasSubstr("check: --page needs a scene and an output"));
+}
+
 TEST_F(DeliveryRunTest, ASecondRunFindsNothingToDo) {
   ASSERT_EQ(Tilemend({"run", folder_ / "out", "--out", folder_ / "again"}).code, 0);
   const Json report = ReportOf(folder_ / "again");

@@ -102,6 +102,11 @@ export type Cell = [number, number, number, number, number, number];
 // others do not.
 export interface Verdict { filled: number; left: number; counting: number; uncounted: string }
 
+// What `tilemend check` found, if it was asked to say so on the page: of each fault the first places.
+export interface FaultPlace { cell?: [number, number]; at?: [number, number, number]; hole?: number; note?: string }
+export interface Fault { what: string; count: number; places: FaultPlace[] }
+export interface Acceptance { accepted: boolean; verdict: string; date: string | null; faults: Fault[] }
+
 export interface Report {
   version: string | null;
   date: string | null;
@@ -116,6 +121,7 @@ export interface Report {
   levels: DetailLevel[] | null;
   cells: Cell[];
   verdict: Verdict;
+  acceptance?: Acceptance | null;
   grid: { crs: string; cell_size: [number, number]; corner: [number, number] } | null;
   hole_count: number;
   per_hole: Hole[];

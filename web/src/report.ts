@@ -1,5 +1,5 @@
 // report.html: puts the parts of the page together.
-import { type DetailLevel, type Hole, holesOf, type LookAt, type Report, type Water, readReport } from './data';
+import { type Acceptance, type DetailLevel, type Fault, type Hole, holesOf, type LookAt, type Report, type Water, readReport } from './data';
 import { decisionsCommand } from './command';
 import { areaText, counted, el, holesText, number } from './dom';
 import { areaOf, holesTable, isOfMesh, levelText } from './holes';
@@ -24,6 +24,20 @@ function verdict(report: Report): HTMLElement {
   const next = [left > 0 ? 'The holes that were left have their reasons in the table.' : '', uncounted ? `${uncounted}.` : '',
     toDecide > 0 ? `${counted(toDecide, 'fill')} to decide on.` : '', looks > 0 ? `${counted(looks, 'place')} to look at.` : ''].filter(Boolean).join(' ');
   return el('div', { class: counting > 0 ? 'verdict open' : 'verdict' }, el('strong', {}, text), ...(next ? [el('span', {}, next)] : []));
+}
+
+// What `tilemend check` says of the output.
+function acceptance({ accepted, verdict: text, date }: Acceptance): HTMLElement {
+  return el('div', { class: accepted ? 'verdict' : 'verdict open' },
+    el('strong', {}, text.charAt(0).toUpperCase() + text.slice(1)),
+    el('span', {}, `Compared with the scene${date ? ` on ${date}` : ''}.`));
+}
+
+function faults(rows: Fault[]): HTMLElement {
+  const places = rows.flatMap(({ what, count, places: found }) => (found.length > 0 ? found : [{}]).map((place, i) => [
+    i === 0 ? what : '', i === 0 ? number(count) : '', String(place.hole ?? ''), (place.cell ?? []).join(', '),
+    (place.at ?? []).map((c) => c.toFixed(2)).join(', '), place.note ?? '']));
+  return table(['fault', 'count', 'hole', 'cell', 'x, y, z [m]', ''], places, [1]);
 }
 
 function facts(report: Report): HTMLElement {
@@ -100,7 +114,8 @@ function build(report: Report): HTMLElement[] {
     el('header', {}, el('h1', {}, 'tilemend report'),
       el('p', { class: 'quiet' }, [report.scene, report.date, report.version && `release ${report.version}`].filter(Boolean).join(' \u00b7 ')),
       el('button', { type: 'button', class: 'print', click: () => window.print() }, 'Print or save as PDF')),
-    verdict(report), ...(report.warnings?.length ? [warningList(report.warnings)] : []), facts(report)];
+    verdict(report), ...(report.acceptance ? [acceptance(report.acceptance)] : []), ...(report.warnings?.length ? [warningList(report.warnings)] : []), facts(report)];
+  if (report.acceptance?.faults.length) parts.push(section('Faults', faults(report.acceptance.faults)));
   parts.push(section('Cells', cellMap(report, holes.showCell)));
   if (queue) parts.push(section('Review', queue.element));
   const others = otherLooks(report);
