@@ -20,7 +20,7 @@ inline constexpr char kFindWater[] = "auto";
 inline constexpr char kNoWater[] = "off";
 
 // Metres: no shore is that high, so a level farther from all of the surface is a slip, or of another origin.
-inline constexpr double kMostLevelOff = 1000;
+inline constexpr double kMostLevelOff = 100;
 
 struct WaterChoice {
   WaterOptions options;
