@@ -226,7 +226,11 @@ class AcceptanceCheck {
     const CellId cell = input_.scene.tiles[t].cell;
     AddedFindings found = FindAddedFaults(before, after, change);
     FillOwners owners(numbers_, cell, after, change.added);
-    if (reported_.overlap > 0) CoverOpenEdges(after, found.open);
+    // Also of holes' boundaries: what looks like one may be where a piece ends and the next goes on.
+    const auto may_be_fault = [this](const OpenEdge& e) {
+      return e.after == 1 && (e.before != 1 || lost_.IsAtRim(e.from, e.to));
+    };
+    if (reported_.overlap > 0) CoverOpenEdges(after, may_be_fault, found.open);
     for (const auto& [fault, kind] : kFaults) {
       const auto places = found.faults.find(fault);
       if (places == found.faults.end()) continue;

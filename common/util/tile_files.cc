@@ -16,7 +16,7 @@ namespace tilemend {
 namespace {
 
 // The program's own files of this kind.
-constexpr const char* kNoTilesets[] = {"scene.json", "report.json"};
+constexpr const char* kNoTilesets[] = {"scene.json", "report.json", "acceptance.json"};
 constexpr int64_t kMostFolders = 16;
 constexpr size_t kMostFiles = 10000;  // a limit on mistakes: a tile of seven levels has some 5,500
 

@@ -1,5 +1,5 @@
 // report.html: puts the parts of the page together.
-import { type Acceptance, type DetailLevel, type Fault, type Hole, holesOf, type LookAt, type Report, type Water, readReport } from './data';
+import { type Acceptance, type DetailLevel, type Fault, type FaultPlace, type Hole, holesOf, type LookAt, type Report, type Water, readReport } from './data';
 import { decisionsCommand } from './command';
 import { areaText, counted, el, holesText, number } from './dom';
 import { areaOf, holesTable, isOfMesh, levelText } from './holes';
@@ -34,9 +34,13 @@ function acceptance({ accepted, verdict: text, date }: Acceptance): HTMLElement 
 }
 
 function faults(rows: Fault[]): HTMLElement {
-  const places = rows.flatMap(({ what, count, places: found }) => (found.length > 0 ? found : [{}]).map((place, i) => [
-    i === 0 ? what : '', i === 0 ? number(count) : '', String(place.hole ?? ''), (place.cell ?? []).join(', '),
-    (place.at ?? []).map((c) => c.toFixed(2)).join(', '), place.note ?? '']));
+  const places = rows.flatMap(({ what, count, places: found }) => {
+    const shown: FaultPlace[] = found.length > 0 ? [...found] : [{}], more = count - found.length;
+    if (found.length > 0 && more > 0) shown.push({ note: `and ${number(more)} more` });
+    return shown.map((place, i) => [
+      i === 0 ? what : '', i === 0 ? number(count) : '', String(place.hole ?? ''), (place.cell ?? []).join(', '),
+      (place.at ?? []).map((c) => c.toFixed(2)).join(', '), place.note ?? '']);
+  });
   return table(['fault', 'count', 'hole', 'cell', 'x, y, z [m]', ''], places, [1]);
 }
 

@@ -78,16 +78,16 @@ bool BorderStrip::GoesOnAcross(const Point3& a, const Point3& b) const {
   });
 }
 
-void CoverOpenEdges(const TriMesh& mesh, std::vector<OpenEdge>& edges) {
-  const auto is_new = [](const OpenEdge& e) { return e.after == 1 && e.before != 1; };
-  if (std::none_of(edges.begin(), edges.end(), is_new)) return;
+void CoverOpenEdges(const TriMesh& mesh, const std::function<bool(const OpenEdge&)>& is_asked,
+                    std::vector<OpenEdge>& edges) {
+  if (std::none_of(edges.begin(), edges.end(), is_asked)) return;
   std::vector<SpaceTriangle> triangles;
   for (const Triangle& t : mesh.triangles) {
     triangles.push_back({mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]});
   }
   const BorderStrip surface(std::move(triangles), std::vector<bool>(mesh.triangles.size(), false));
   for (OpenEdge& e : edges) {
-    if (is_new(e)) e.is_covered = surface.GoesOnAcross(e.from, e.to);
+    if (is_asked(e)) e.is_covered = surface.GoesOnAcross(e.from, e.to);
   }
 }
 

@@ -3,6 +3,7 @@
 #define TILEMEND_WORKER_CHECK_TILE_JOINS_H_
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <utility>
@@ -41,9 +42,10 @@ class BorderStrip {
 // Surface that is no further above or below an open edge closes it where tiles or pieces of a tile overlap, in metres.
 inline constexpr double kCoverReach = 1;
 
-// Marks the edges with one triangle in `mesh`, and not in the input, across which other surface of the mesh goes on.
-// O(n log n) if there are any, else O(edges).
-void CoverOpenEdges(const TriMesh& mesh, std::vector<OpenEdge>& edges);
+// Marks the edges that are asked for and across which other surface of the mesh goes on. O(n log n) if any are, else
+// O(edges).
+void CoverOpenEdges(const TriMesh& mesh, const std::function<bool(const OpenEdge&)>& is_asked,
+                    std::vector<OpenEdge>& edges);
 
 // An edge of all tiles together.
 struct NewOpenEdge {

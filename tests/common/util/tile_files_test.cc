@@ -34,9 +34,10 @@ TEST_F(TileFilesTest, ATreeHasAllFilesOfItsFolder) {
 
 TEST_F(TileFilesTest, ATilesetHasTheModelsBelowItsFolder) {
   const std::string path = folder_.Write("scene/tileset.json", "entry");
-  for (const char* const file : {"scene/Data/b.json", "scene/Data/b.B3DM", "scene/a.glb", "scene/Data/deep/c.glb",
-                                 "scene/scene.json", "scene/report.json", "scene/holes.csv", "scene/.hidden/d.glb",
-                                 "scene/.e.glb", "scene/f.osgb", "scene/Data/c.JPG", "beside.glb"}) {
+  for (const char* const file :
+       {"scene/Data/b.json", "scene/Data/b.B3DM", "scene/a.glb", "scene/Data/deep/c.glb", "scene/scene.json",
+        "scene/report.json", "scene/acceptance.json", "scene/holes.csv", "scene/.hidden/d.glb", "scene/.e.glb",
+        "scene/f.osgb", "scene/Data/c.JPG", "beside.glb"}) {
     folder_.Write(file, "file");
   }
   EXPECT_THAT(*FilesOfTile(path),

@@ -106,18 +106,32 @@ TEST(BorderStripTest, AWallCoversWhatIsBesideIt) {
   EXPECT_FALSE(wall.NearestTo({2, 0.5, 1}).is_covered);
 }
 
+bool IsNew(const OpenEdge& e) { return e.before != 1; }
+
+TEST(CoverOpenEdgesTest, OnlyEdgesThatAreAskedForAreMarked) {
+  TriMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-5, -5, 0.3}, {5, -5, 0.3}, {0, 5, 0.3}};
+  mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+  std::vector<OpenEdge> edges = {{{0, 0, 0}, {1, 0, 0}, 1, 1, false}};
+  CoverOpenEdges(mesh, IsNew, edges);
+  EXPECT_FALSE(edges[0].is_covered);
+  CoverOpenEdges(
+      mesh, [](const OpenEdge&) { return true; }, edges);
+  EXPECT_TRUE(edges[0].is_covered);
+}
+
 TEST(CoverOpenEdgesTest, OnlyOtherSurfaceNearbyCovers) {
   TriMesh mesh;
   mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-5, -5, 0.3}, {5, -5, 0.3}, {0, 5, 0.3}};
   mesh.triangles = {{0, 1, 2}};
   std::vector<OpenEdge> edges = {{{0, 0, 0}, {1, 0, 0}, 0, 1, true}};
-  CoverOpenEdges(mesh, edges);
+  CoverOpenEdges(mesh, IsNew, edges);
   EXPECT_FALSE(edges[0].is_covered);
   mesh.triangles.push_back({3, 4, 5});
-  CoverOpenEdges(mesh, edges);
+  CoverOpenEdges(mesh, IsNew, edges);
   EXPECT_TRUE(edges[0].is_covered);
   for (int v = 3; v < 6; ++v) mesh.points[static_cast<size_t>(v)].z() = 5;  // a tree
-  CoverOpenEdges(mesh, edges);
+  CoverOpenEdges(mesh, IsNew, edges);
   EXPECT_FALSE(edges[0].is_covered);
 }
 
@@ -127,7 +141,7 @@ TEST(CoverOpenEdgesTest, SurfaceThatHasACornerAtTheEdgeCoversItAsWell) {
   mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 4, 0.1}, {4, -1, 0.1}};
   mesh.triangles = {{0, 1, 2}, {0, 3, 4}};
   std::vector<OpenEdge> edges = {{{0, 0, 0}, {1, 0, 0}, 0, 1, true}};
-  CoverOpenEdges(mesh, edges);
+  CoverOpenEdges(mesh, IsNew, edges);
   EXPECT_TRUE(edges[0].is_covered);
 }
 
@@ -136,7 +150,7 @@ TEST(CoverOpenEdgesTest, SurfaceThatEndsAtTheEdgeDoesNotCoverIt) {
   mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0.6, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   mesh.triangles = {{0, 1, 2}, {0, 3, 4}, {3, 1, 5}};  // a T-junction
   std::vector<OpenEdge> edges = {{{0, 0, 0}, {1, 0, 0}, 0, 1, true}};
-  CoverOpenEdges(mesh, edges);
+  CoverOpenEdges(mesh, IsNew, edges);
   EXPECT_FALSE(edges[0].is_covered);
 }
 
@@ -145,7 +159,7 @@ TEST(CoverOpenEdgesTest, AWallOnAnEndOfTheEdgeDoesNotCoverIt) {
   mesh.points = {{0, 0, 0}, {0.06, 0, 0}, {0, -1, 0}, {0, 0.2, 3}, {0, -0.2, 3}};
   mesh.triangles = {{0, 1, 2}, {0, 3, 4}};
   std::vector<OpenEdge> edges = {{{0, 0, 0}, {0.06, 0, 0}, 0, 1, true}};
-  CoverOpenEdges(mesh, edges);
+  CoverOpenEdges(mesh, IsNew, edges);
   EXPECT_FALSE(edges[0].is_covered);
 }
 
