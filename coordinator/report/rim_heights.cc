@@ -9,9 +9,16 @@
 namespace tilemend {
 
 double RimHeight(const Plan& plan, const PlannedHole& hole) {
-  double height = 0;
-  for (const RimSegment& s : hole.segments) height += plan.vertices[static_cast<size_t>(s.from)].position.z();
-  return height / static_cast<double>(hole.segments.size());
+  double original = 0, all = 0;
+  size_t originals = 0;
+  for (const RimSegment& s : hole.segments) {
+    const PlanVertex& vertex = plan.vertices[static_cast<size_t>(s.from)];
+    all += vertex.position.z();
+    if (vertex.index < 0) continue;  // of a seam: its height may not be known
+    original += vertex.position.z();
+    ++originals;
+  }
+  return originals > 0 ? original / static_cast<double>(originals) : all / static_cast<double>(hole.segments.size());
 }
 
 nlohmann::ordered_json RimHeightsJson(const Plan& plan, const PlannedHole& hole) {

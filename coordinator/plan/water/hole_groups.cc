@@ -80,17 +80,27 @@ std::vector<PlaneSegment> BoundaryOf(const Plan& plan, const std::vector<int32_t
 std::vector<int32_t> GroupsCovering(const Plan& plan, const Plan& whole, const std::vector<int32_t>& group_of) {
   std::vector<int32_t> covering(plan.holes.size(), -1);
   std::multimap<CellId, int32_t> holes_in;
-  for (size_t h = 0; h < whole.holes.size(); ++h) {
-    if (group_of[h] >= 0) holes_in.emplace(whole.holes[h].cell, static_cast<int32_t>(h));
-  }
+  for (size_t h = 0; h < whole.holes.size(); ++h) holes_in.emplace(whole.holes[h].cell, static_cast<int32_t>(h));
   for (size_t h = 0; h < plan.holes.size(); ++h) {
     const auto [from, to] = holes_in.equal_range(plan.holes[h].cell);
-    if (from == to || !plan.holes[h].failure.empty()) continue;
-    const CoverLines region(BoundaryOf(plan, {static_cast<int32_t>(h)}));
+    const bool is_asked = plan.holes[h].failure.empty() &&
+                          std::any_of(from, to, [&](const auto& other) { return group_of[other.second] >= 0; });
+    if (!is_asked) continue;
+    const std::vector<PlaneSegment> boundary = BoundaryOf(plan, {static_cast<int32_t>(h)});
+    const CoverLines region(boundary);
     std::map<int32_t, double> share;
-    for (auto it = from; it != to; ++it) share[group_of[it->second]] += region.ShareIn(BoundaryOf(whole, {it->second}));
+    bool is_other = false;  // the same hole is there, and in no group: it lies above one of a group
+    for (auto it = from; it != to && !is_other; ++it) {
+      const std::vector<PlaneSegment> other = BoundaryOf(whole, {it->second});
+      const double covered = region.ShareIn(other);
+      if (group_of[it->second] >= 0) {
+        share[group_of[it->second]] += covered;
+      } else {
+        is_other = covered > kIsPart && CoverLines(other).ShareIn(boundary) > kIsPart;
+      }
+    }
     const auto most = std::ranges::max_element(share, {}, [](const auto& s) { return s.second; });
-    if (most->second > kIsPart) covering[h] = most->first;
+    if (!is_other && most != share.end() && most->second > kIsPart) covering[h] = most->first;
   }
   return covering;
 }

@@ -14,9 +14,9 @@ namespace tilemend {
 // The angle between a hole and the horizontal, by its vector area, radians: 0 where it is level, pi / 2 in a facade.
 double SlopeOf(const Plan& plan, const PlannedHole& hole);
 
-// The clusters of open holes, and the closed holes that face up; each in order of their first hole. Holes
-// that can't be filled are in none; `with_left`: but those that a reviewer leaves open. Cost O(n log n) in the plan's
-// holes and segments.
+// The clusters of open holes, and the closed holes that face up; each in order of their first hole. Holes that can't be
+// filled are in none. `with_left`: those that a reviewer leaves open are in the groups all the same. Cost O(n log n) in
+// the plan's holes and segments.
 std::vector<std::vector<int32_t>> GroupHoles(const Plan& plan, bool with_left = false);
 
 // The same of all holes, also of those that can't be filled or do not face up. Cost O(n log n) in the plan's holes.
@@ -51,7 +51,8 @@ std::vector<int32_t> RimVerticesOf(const Plan& plan, const std::vector<int32_t>&
 std::vector<PlaneSegment> BoundaryOf(const Plan& plan, const std::vector<int32_t>& holes);
 
 // For each hole of `plan` the group of holes of `whole`, a plan of the same grid, that covers more than half of it.
-// They must have holes in the same cell. If there is none, -1. Holes that can't be filled are parts of none.
+// They must have holes in the same cell. If there is none, -1. Holes that can't be filled are parts of none, nor are those
+// that are in `whole` themselves without a group: they lie above or below.
 //   group_of  for each hole of `whole`; -1: it is in none
 // Cost O(128 * segments) for each pair of holes that meet in a cell.
 std::vector<int32_t> GroupsCovering(const Plan& plan, const Plan& whole, const std::vector<int32_t>& group_of);

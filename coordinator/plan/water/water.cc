@@ -30,6 +30,10 @@ constexpr double kJudged = 100;     // m2: smaller holes are not judged unless a
 
 using Verdict = HoleEvidence::Verdict;
 
+// The words here: a *group* is a cluster of open holes, or a closed hole. A *basin* is a group, or several that may
+// hold one water, with what its rim tells. A *body* is what is filled flat. *Known* is water of the whole scene, where
+// an area takes a part of it. An *open lake* has been given without a level.
+
 // A cluster of open holes, or a closed hole.
 struct Group {
   std::vector<int32_t> holes;

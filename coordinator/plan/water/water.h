@@ -15,10 +15,10 @@ namespace tilemend {
 // holes that face up and project, with an edge of original surface on their rim.
 //
 // A reviewer's decision goes first, unless it accepts what was found. Then the last area in options.areas that covers
-// more than half of a hole decides on it, unless the whole rim lies above what the area clears. No hole is filled flat
-// if its area says that there is no water. Else its level is the area's, or LevelEvidence::level. Those of one area are
-// one body if CanBeOneLevel. Along a given centreline the water falls (FitRiver). A lake whose area gives no level has
-// that of the water that it joins across a bridge (JoinBasins), of other areas or found.
+// more than half of a cluster or closed hole decides on it, unless the whole rim lies above what the area clears. No
+// hole is filled flat if its area says that there is no water. Else its level is the area's, or LevelEvidence::level.
+// Those of one area are one body if CanBeOneLevel. Along a given centreline the water falls (FitRiver). A lake whose
+// area gives no level has that of the water that it joins across a bridge (JoinBasins), of other areas or found.
 //
 // Where none decides and options.find is set (docs/decisions/2026-11-26-water-by-evidence.md):
 //   water         its rim is level (LevelEvidence::is_level), or a river's (FindFall), alone or with that of others

@@ -157,6 +157,12 @@ std::string DoubtOfExtent(ReviewDecision decision, double taken, double under) {
          Number(taken - under) + " m2 of that lie outside it, as the hole goes on there";
 }
 
+// Where the surface that told the level scatters by more than what was taken out above it.
+std::string DoubtOfSurface(const WaterArea& area) {
+  if (!area.clear || !area.level_sigma || *area.level_sigma <= area.clear_height) return "";
+  return "the surface in it is not level: it lies " + Decimals(*area.level_sigma) + " m off the level; is water there?";
+}
+
 // What an area says of a body that it covers some of.
 struct BodyAnswer {
   const Body* body = nullptr;
@@ -236,6 +242,7 @@ class Answers {
     if (answer.taken && answer.water) {
       AddDoubt(areas_[a].level ? DoubtOfLevel(areas_[a], answer) : DoubtOfShore(answer), answer);
       if (areas_[a].is_mostly_open) AddDoubt(kMostlyOpen, answer);
+      AddDoubt(DoubtOfSurface(areas_[a]), answer);
     }
     if (!answer.water && areas_[a].level)
       AddDoubt("its level_m has no effect where it says that there is no water", answer);

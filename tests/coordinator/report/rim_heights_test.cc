@@ -27,7 +27,8 @@ Plan WithNewVertex() {
 TEST(RimHeightTest, IsTheMeanOfTheBoundary) {
   PlannedHole hole;
   hole.segments = {{0, 1, false}, {1, 2, true}, {2, 0, true}};
-  EXPECT_NEAR(RimHeight(ThreeVertices(), hole), (1.2504 - 2 + 9) / 3, 1e-12);
+  EXPECT_NEAR(RimHeight(ThreeVertices(), hole), (1.2504 - 2 + 9) / 3, 1e-12) << "of new vertices alone";
+  EXPECT_NEAR(RimHeight(WithNewVertex(), hole), (1.2504 - 2) / 2, 1e-12);
 }
 
 TEST(RimHeightsJsonTest, IsTheRangeOfTheOriginalVertices) {

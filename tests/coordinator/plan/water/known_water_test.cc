@@ -15,14 +15,14 @@ using ::testing::SizeIs;
 
 constexpr CellId kCell{2, 1};
 
-// Adds a hole that is the square [x, x + 10) x [0, 10), with new vertices around.
-void AddSquare(double x, CellId cell, int32_t water, Plan& plan) {
+// Adds a hole that is the square [x, x + side) x [0, side), with new vertices around.
+void AddSquare(double x, CellId cell, int32_t water, Plan& plan, double side = 10) {
   PlannedHole& hole = plan.holes.emplace_back();
   hole.cell = cell;
   hole.cluster = 0;
   hole.water = water;
   const auto first = static_cast<int32_t>(plan.vertices.size());
-  for (const Point2& p : {Point2(x, 0), Point2(x + 10, 0), Point2(x + 10, 10), Point2(x, 10)}) {
+  for (const Point2& p : {Point2(x, 0), Point2(x + side, 0), Point2(x + side, side), Point2(x, side)}) {
     plan.vertices.emplace_back().position = {p.x(), p.y(), 0};
   }
   for (int32_t k = 0; k < 4; ++k) hole.segments.push_back({first + k, first + (k + 1) % 4, true});
@@ -66,6 +66,16 @@ TEST(FindKnownWaterTest, AHoleIsAPartOfTheBodyThatCoversMostOfIt) {
   const KnownWater known = FindKnownWater(whole, plan);
   EXPECT_THAT(known.bodies, SizeIs(2));
   EXPECT_THAT(known.body_of, ElementsAre(-1, 0, 1, -1));
+}
+
+TEST(FindKnownWaterTest, AHoleAboveWaterIsNoPartOfIt) {
+  Plan whole = PlanWithStep(), plan = PlanWithStep();
+  whole.water = {Lake(3)};
+  AddSquare(0, kCell, 0, whole);
+  AddSquare(4, kCell, -1, whole, 2);
+  AddSquare(1, kCell, -1, plan, 8);
+  AddSquare(4, kCell, -1, plan, 2);
+  EXPECT_THAT(FindKnownWater(whole, plan).body_of, ElementsAre(0, -1));
 }
 
 TEST(FindKnownWaterTest, OnlyHolesOfTheSameCellCount) {

@@ -115,6 +115,18 @@ TEST_F(WaterAnswersTest, SaysThatWaterFallsUnlessTheUserSaidSo) {
   EXPECT_THAT(Answer({area})[0].doubt, HasSubstr("no fall"));
 }
 
+TEST_F(WaterAnswersTest, DoubtsWaterThatWasClearedFromSurfaceThatIsNotLevel) {
+  AddHole(HoleKind::kOpenI, Box(0, 0, 10, 10), 0).water = 0;
+  plan_.water.resize(1);
+  WaterArea area{true, {{Box(-1, -1, 11, 11)}}, 45};
+  area.clear = true;
+  for (const double sigma : {1.4, 21.5}) {
+    area.level_sigma = sigma;
+    plan_.water_answers.clear();
+    EXPECT_EQ(Answer({area})[0].doubt.starts_with("the surface in it is not level: it lies 21.5 m off"), sigma > 1.5);
+  }
+}
+
 TEST_F(WaterAnswersTest, DoubtsALevelOfNoWater) {
   AddHole(HoleKind::kClosed, Box(0, 0, 10, 10));
   EXPECT_THAT(Answer({{false, {{Box(-1, -1, 11, 11)}}, 3.5, {}, ""}})[0].doubt, HasSubstr("level_m has no effect"));
