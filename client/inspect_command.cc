@@ -153,14 +153,9 @@ constexpr const char* kOnlyForScenes[] = {"area", "decisions", "propose-area", "
 // What is to be looked at, and how.
 struct Request {
   std::string path;
-  std::string area;           // --area
-  std::string propose_area;   // --propose-area
-  std::string propose_water;  // --propose-water
-  std::string holes;          // --holes
-  bool overwrite = false;     // --overwrite
-  std::string water;          // --water
-  std::string clear;          // --clear
-  std::string decisions;      // --decisions
+  std::string area, propose_area, propose_water, holes;  // of the flags of these names, as below
+  bool overwrite = false;
+  std::string water, clear, decisions;
   WaterProfile water_profile;
   OutputFormat format = OutputFormat::kTable;
 };
@@ -385,17 +380,17 @@ int InspectCommand(const Args& args) {
   const absl::Status status = NamedAsFlag(CheckOptions(*spec, kOfInspect, GivenBy(args)));
   if (!status.ok()) return PrintUsageError(status);
   if (mesh && !args.IsGiven("water")) spec->set_water(kNoWater);
-  const Request request{path,
-                        spec->area(),
-                        args.Text("propose-area"),
-                        args.Text("propose-water"),
-                        args.Text("holes"),
-                        args.Switch("overwrite"),
-                        spec->water(),
-                        spec->clear(),
-                        spec->decisions(),
-                        *WaterProfileNamed(spec->water_profile()),
-                        *format};
+  const Request request{.path = path,
+                        .area = spec->area(),
+                        .propose_area = args.Text("propose-area"),
+                        .propose_water = args.Text("propose-water"),
+                        .holes = args.Text("holes"),
+                        .overwrite = args.Switch("overwrite"),
+                        .water = spec->water(),
+                        .clear = spec->clear(),
+                        .decisions = spec->decisions(),
+                        .water_profile = *WaterProfileNamed(spec->water_profile()),
+                        .format = *format};
   return mesh ? InspectMeshAt(request) : InspectSceneAt(request);
 }
 

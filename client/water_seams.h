@@ -12,7 +12,7 @@
 
 namespace tilemend {
 
-// A vertex on the boundary of a fill of water belongs to the shore if it is one of the scene, in any tile. Else it lies
+// A vertex on the boundary of filled water belongs to the shore if it is one of the scene, in any tile. Else it lies
 // on a seam, and is water in both tiles.
 class WaterSeams {
  public:
@@ -23,8 +23,8 @@ class WaterSeams {
     CellId cell;
     Point3 at;
   };
-  // The vertices that are off the level in two tiles and that the scene does not have, of tiles in rows below `row`
-  // alone; all of these are forgotten.
+  // The vertices that are off the level in two tiles and that the scene does not have. Only those are given whose tiles
+  // all have rows less than `row`; these are forgotten.
   std::vector<Place> ReleaseBelow(int32_t row, const OriginalRims& originals);
 
  private:

@@ -36,10 +36,13 @@ class MeshFiller {
     options_.refine.max_new_points = kMaxSingleMeshPoints;
     options_.is_single_mesh = true;
     WaveOptions waves;
-    waves.plan = {
-        options_.refine.gradation, options_.refine.size_limit, options_.refine.uniform, options.water, options.holes,
-        options.water_colour};
-    waves.plan.is_cancelled = options_.refine.is_cancelled;
+    waves.plan = {.gradation = options_.refine.gradation,
+                  .size_limit = options_.refine.size_limit,
+                  .uniform = options_.refine.uniform,
+                  .water = options.water,
+                  .mesh = options.holes,
+                  .water_colour = options.water_colour,
+                  .is_cancelled = options_.refine.is_cancelled};
     waves.surface = options_.surface;
     waves.single_mesh = true;
     filled_.waves = std::make_unique<SceneWaves>(SceneOfMesh(mesh.name()), std::move(waves),

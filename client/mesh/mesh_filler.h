@@ -35,16 +35,16 @@ struct MeshFillOptions {
 };
 
 struct FilledMesh {
-  std::unique_ptr<SceneWaves> waves;
+  std::unique_ptr<SceneWaves> waves;    // owns the plan
   SceneReportInput report;              // refers to the plan of `waves`
   std::string bytes;                    // of a file: the filled mesh, in the format of the original
   TileFiles files;                      // that the original names, relative to its folder
   std::vector<FillMaterial> materials;  // that `library` has to define; empty: there need be no such file
 };
 
-// Welds if asked, surveys, plans and fills the mesh. Errors of its parsing; kCancelled once options.fill.refine is
+// Welds if asked, surveys, plans and fills the mesh. Errors of parsing the mesh; kCancelled once options.fill.refine is
 // cancelled, which is looked at within each hole and leaves the mesh without patches. Holes that cannot be filled are
-// in the report. Holds the survey and the patches; and the mesh of a file once more, if some hole is no height over the
+// in the report. Holds the survey and the patches, and a second copy of the mesh if some hole is no height over the
 // ground.
 absl::StatusOr<FilledMesh> FillMesh(EditedMesh& mesh, const MeshFillOptions& options);
 

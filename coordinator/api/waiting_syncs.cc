@@ -4,8 +4,8 @@
 
 namespace tilemend {
 
-WaitingSyncs::WaitingSyncs(Cluster& cluster, Try attempt)
-    : cluster_(cluster), attempt_(std::move(attempt)), thread_([this] { Run(); }) {}
+WaitingSyncs::WaitingSyncs(Cluster& cluster, Try try_answer)
+    : cluster_(cluster), try_answer_(std::move(try_answer)), thread_([this] { Run(); }) {}
 
 WaitingSyncs::~WaitingSyncs() {
   {
@@ -26,7 +26,7 @@ void WaitingSyncs::Add(std::shared_ptr<WorkerSync> sync) {
   waiting_.emplace(number, std::move(sync));
 }
 
-void WaitingSyncs::Look(const std::string& worker) {
+void WaitingSyncs::TryCallsOf(const std::string& worker) {
   std::set<uint64_t> numbers;
   for (auto at = workers_.lower_bound({worker, 0}); at != workers_.end() && at->first == worker; ++at) {
     numbers.insert(at->second);
@@ -70,7 +70,7 @@ void WaitingSyncs::TryOne(uint64_t number) {
   const auto found = waiting_.find(number);
   if (found == waiting_.end()) return;  // it has been answered meanwhile
   const std::shared_ptr<WorkerSync> sync = found->second;
-  if (!attempt_(sync)) return;
+  if (!try_answer_(sync)) return;
   deadlines_.erase({sync->deadline, number});
   workers_.erase({sync->request.worker(), number});
   waiting_.erase(number);

@@ -1,4 +1,4 @@
-// Calls of workers that wait for news. They hold no thread: one looks after all of them.
+// Calls of workers that wait for news. They hold no thread of their own: one thread serves all.
 #ifndef TILEMEND_COORDINATOR_API_WAITING_SYNCS_H_
 #define TILEMEND_COORDINATOR_API_WAITING_SYNCS_H_
 
@@ -38,15 +38,15 @@ class WaitingSyncs {
   // Whether the call has come to its end. With the lock held.
   using Try = std::function<bool(const std::shared_ptr<WorkerSync>&)>;
 
-  // `attempt` is called for each waiting call when work has changed, and for each that is due. `cluster` must outlive
-  // this.
-  WaitingSyncs(Cluster& cluster, Try attempt);
-  // All calls have ended: the coordinator waits no more.
+  // `try_answer` is called for each waiting call when work has changed, and for each that is due. `cluster` must
+  // outlive this.
+  WaitingSyncs(Cluster& cluster, Try try_answer);
+  // Precondition: all calls have ended.
   ~WaitingSyncs();
 
   void Add(std::shared_ptr<WorkerSync> sync);
-  // Tries the calls of this worker: one may have been overtaken, or its caller is gone.
-  void Look(const std::string& worker);
+  // Tries the calls of this worker: a later one may have taken its place, or its caller is gone.
+  void TryCallsOf(const std::string& worker);
 
  private:
   using SteadyTime = std::chrono::steady_clock::time_point;
@@ -57,7 +57,7 @@ class WaitingSyncs {
   void TryOne(uint64_t number);
 
   Cluster& cluster_;
-  const Try attempt_;
+  const Try try_answer_;
   std::map<uint64_t, std::shared_ptr<WorkerSync>> waiting_;  // those that wait for longest first
   std::set<std::pair<SteadyTime, uint64_t>> deadlines_;
   std::set<std::pair<std::string, uint64_t>> workers_;

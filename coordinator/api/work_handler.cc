@@ -148,7 +148,7 @@ bool WorkHandler::HasRoomFor(const WorkerSync& sync) {
 
 void WorkHandler::Gone(const std::string& worker) {
   const ClusterLock lock(cluster_.mutex);
-  waiting_.Look(worker);
+  waiting_.TryCallsOf(worker);
 }
 
 absl::Status WorkHandler::Refusal(const v1::SyncRequest& request) {
@@ -177,7 +177,7 @@ void WorkHandler::Enter(const std::shared_ptr<WorkerSync>& sync, std::vector<Res
   ClusterLock lock(cluster_.mutex);
   absl::Status status = reports_.TakeOver(sync->request, sync->identity);
   if (status.ok()) {
-    waiting_.Look(sync->request.worker());  // an older call of this worker ends
+    waiting_.TryCallsOf(sync->request.worker());  // an older call of this worker ends
     status = reports_.Take(*sync, std::move(reports), lock);
   }
   if (!status.ok()) return answers_.Add({sync, status});

@@ -53,7 +53,7 @@ void Housekeeping::Tick() {
     return caller.second.left && *caller.second.left + cluster_.options.lease < now;
   });
   ForgetOldJobs(now);
-  also_(now);
+  on_tick_(now);
   cluster_.ShowMetrics();
   lock.unlock();  // before the runners are joined
   if (ended.empty()) return;

@@ -1,4 +1,4 @@
-// What becomes due as time passes.
+// Periodic work: lost workers, leases that have expired, jobs that are over.
 #ifndef TILEMEND_COORDINATOR_JOBS_HOUSEKEEPING_H_
 #define TILEMEND_COORDINATOR_JOBS_HOUSEKEEPING_H_
 
@@ -15,12 +15,12 @@ namespace tilemend {
 // Gives up overdue leases and silent workers, and frees what belongs to jobs that are over.
 class Housekeeping {
  public:
-  // `also` is called by each Tick with the lock held. The references must outlive this.
-  Housekeeping(Cluster& cluster, StateUpdates& updates, std::function<void(absl::Time)> also)
-      : cluster_(cluster), updates_(updates), also_(std::move(also)) {}
+  // `on_tick` is called by each Tick with the lock held. The references must outlive this.
+  Housekeeping(Cluster& cluster, StateUpdates& updates, std::function<void(absl::Time)> on_tick)
+      : cluster_(cluster), updates_(updates), on_tick_(std::move(on_tick)) {}
   ~Housekeeping() { StopTicking(); }
 
-  // Calls Tick from a thread of its own: every quarter of a lease, at least once a second.
+  // Calls Tick from a thread of its own: every quarter of a lease, and once a second or more often.
   void StartTicking();
   // Waits for the thread, which ends after Cluster::StopWaiting.
   void StopTicking();
@@ -34,7 +34,7 @@ class Housekeeping {
 
   Cluster& cluster_;
   StateUpdates& updates_;
-  const std::function<void(absl::Time)> also_;
+  const std::function<void(absl::Time)> on_tick_;
   bool may_lose_ = true;  // silent workers count as lost; guarded by the lock
   std::thread ticker_;
 };

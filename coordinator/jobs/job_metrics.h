@@ -19,8 +19,8 @@ namespace tilemend {
 
 // The share of a job that is done, 0 to 1. While not all of its tasks are known, a guess that may fall.
 double ShareDone(const Job& job);
-// Of a job that runs, by its phase (wave_order.h). Before its plan each cell is expected to be filled and assembled,
-// then to be assembled, until it assembles. Tasks that are held back (kMostTasksOut) count.
+// Of a job that runs, by its phase (wave_order.h, job_pipeline.h). Tasks that are still to come count: before the plan
+// two a cell, to fill and to assemble; then one, until it assembles. So do tasks that are held back (kMostTasksOut).
 double ShareDone(std::string_view phase, int64_t cells, int64_t cells_done, int64_t tasks, int64_t tasks_done);
 
 // Not thread-safe but for the metrics themselves: call it under the coordinator's lock.
@@ -33,8 +33,8 @@ class JobMetrics {
 
   void Started(const Job& job);
   void Ended(const Job& job, const absl::Status& error);
-  // Of one that an earlier process saw end. No effect for one that is not over.
-  void Remembered(const Job& job);
+  // Counts a job that ended in an earlier process. No effect for one that is not over.
+  void CountRestored(const Job& job);
 
   // Sets the gauges: O(jobs that run).
   void Show(const CoordinatorState& state, absl::Time now);

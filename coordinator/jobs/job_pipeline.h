@@ -8,7 +8,7 @@
 //
 // A coordinator that starts again runs the pipelines of its jobs again, from Start on. A task with the same cell, stage
 // and input as one that was settled before gets that result. So a pipeline must not put into an input what differs from
-// run to run (or its task is done again), and must find its own traces on the disk in order.
+// run to run (or its task is done again). The files that it wrote before must not trouble it.
 #ifndef TILEMEND_COORDINATOR_JOBS_JOB_PIPELINE_H_
 #define TILEMEND_COORDINATOR_JOBS_JOB_PIPELINE_H_
 

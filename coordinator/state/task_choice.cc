@@ -196,7 +196,7 @@ std::vector<Event> Overdue(const CoordinatorState& state, absl::Time now, absl::
       events.emplace_back(WorkerLost{id});
       continue;
     }
-    // What waits comes before what was begun, so that it does not count.
+    // First the tasks that the worker has not begun: their loss is no failed attempt.
     for (const bool begun : {false, true}) {
       for (const TaskKey& key : worker.held) {
         const Lease& lease = *LeaseOf(*state.FindTask(key), id);

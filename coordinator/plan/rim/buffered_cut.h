@@ -9,13 +9,13 @@
 
 namespace tilemend {
 
-// How far beyond the line of a border the zigzag of each of two tiles begins at least, metres. No value for one that
-// has none there.
+// Of each of the two tiles at a border: the smallest distance by which its outline, a zigzag, lies beyond the line of
+// the border, metres. No value for a tile whose outline does not reach beyond.
 using Buffers = std::array<std::optional<double>, 2>;
 
-// No value if the tiles do not overlap. They overlap if their zigzags do along a twentieth of the border. They also
-// overlap if most edges that both have as boundary are rims, the same way round in both. Rims are no zigzag. Cost O(n
-// log n) in the boundary edges.
+// No value if the tiles do not overlap. They do if both outlines reach beyond the line along a twentieth of the border.
+// They also do if most boundary edges that both have run the same way in both. These are rims of holes, not outlines.
+// Cost O(n log n) in the boundary edges.
 //   cell, side  of the first tile; the other lies across the side
 std::optional<Buffers> FindBuffers(const SurveyRecord& record, const SurveyRecord& other, const Grid& grid, CellId cell,
                                    Side side);

@@ -22,16 +22,16 @@ struct GridStretch {
   double OffLine(const Point2& p) const { return own * (p[axis] - line); }
 };
 
-// The stretches of grid boundary around a hole, in order of its loops; where it ends at the tile's own outline, of
-// this. O(n) in the hole's segments.
+// The stretches of grid boundary around a hole, in order of its loops. Where the hole ends at the tile's own outline,
+// the stretch is of that outline. O(n) in the hole's segments.
 std::vector<GridStretch> StretchesAround(const LocalHole& hole);
 
 // Replaces each stretch along the tile's outline by the neighbour's outline within the hole (LocalHole::inner_edges),
 // if there is one. It has the same ends, and its vertices lie straight across from the stretch's own. O(n log n).
 void MoveToNeighbours(const LocalHole& hole, std::vector<GridStretch>& stretches);
 
-// For each vertex of the hole the strips between an outline of the tile and its neighbour's that it bounds. There is a
-// bit for each side of the cell. A triangle whose corners have one in common lies in that strip. O(n log n).
+// For each vertex of the hole a bit for each side of the cell: whether the vertex bounds the strip there, between the
+// tile's outline and the neighbour's. A triangle whose corners have a bit in common lies in that strip. O(n log n).
 std::vector<uint8_t> StripsBeside(const LocalHole& hole);
 
 }  // namespace tilemend
