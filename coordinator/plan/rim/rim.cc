@@ -21,7 +21,10 @@ namespace {
 // reaches them: what is held is the rim so far, and the boundaries of the tiles about the cell.
 class RimCollector {
  public:
-  RimCollector(RimPoints keep, Rim& rim) : keep_(keep), rim_(rim) {}
+  RimCollector(RimPoints keep, Rim& rim) : keep_(keep), rim_(rim) {
+    rim_.points.reserve(kLeast);
+    rim_.edges.reserve(kLeast);
+  }
 
   void Take(CellId cell, const SurveyRecord& record) {
     std::vector<int32_t>& number = rim_.point_of[cell];
@@ -179,7 +182,7 @@ double AsTurn(double angle, double least) {
 
 // Links each fan to the next around the point. False if some fan is not known, or they lie over each other: parts of
 // surface that meet in no common plane.
-bool LinkFans(const Rim& rim, int32_t point, const std::vector<int32_t>& arriving, std::span<const int32_t> after,
+bool LinkFans(const Rim& rim, int32_t point, std::span<const int32_t> arriving, std::span<const int32_t> after,
               std::vector<int32_t>& next) {
   const AngleAround angle(rim.points[point].normal);
   const Point3& middle = rim.points[point].position;
@@ -205,7 +208,7 @@ bool LinkFans(const Rim& rim, int32_t point, const std::vector<int32_t>& arrivin
 
 // For the edges that arrive at and leave one point: which leaves after which arrives. Turning counter-clockwise from
 // the way back along an arriving edge one crosses the hole; the first leaving edge met bounds the same hole.
-void LinkAt(const Rim& rim, int32_t point, const std::vector<int32_t>& arriving, const std::vector<int32_t>& leaving,
+void LinkAt(const Rim& rim, int32_t point, std::span<const int32_t> arriving, std::span<const int32_t> leaving,
             std::span<const int32_t> after, std::vector<int32_t>& next) {
   if (arriving.size() == 1 && leaving.size() == 1) {
     next[arriving[0]] = leaving[0];
@@ -234,16 +237,18 @@ void LinkAt(const Rim& rim, int32_t point, const std::vector<int32_t>& arriving,
 }
 
 std::vector<int32_t> LinkAtPoints(const Rim& rim, std::span<const int32_t> after, std::vector<uint8_t>& touching) {
-  std::vector<std::vector<int32_t>> arriving(rim.points.size()), leaving(rim.points.size());
-  for (size_t e = 0; e < rim.edges.size(); ++e) {
-    leaving[rim.edges[e].from].push_back(static_cast<int32_t>(e));
-    arriving[rim.edges[e].to].push_back(static_cast<int32_t>(e));
-  }
+  const auto edges_at = [&rim](int32_t RimEdge::*end) {
+    return VertexLists(rim.points.size(), [&rim, end](const auto& use) {
+      for (size_t e = 0; e < rim.edges.size(); ++e) use(rim.edges[e].*end, static_cast<int32_t>(e));
+    });
+  };
+  const VertexLists arriving = edges_at(&RimEdge::to), leaving = edges_at(&RimEdge::from);
   std::vector<int32_t> next(rim.edges.size(), -1);
-  for (size_t p = 0; p < rim.points.size(); ++p) {
-    if (arriving[p].empty()) continue;
-    LinkAt(rim, static_cast<int32_t>(p), arriving[p], leaving[p], after, next);
-    touching[p] = arriving[p].size() > 1;
+  for (int32_t p = 0; p < std::ssize(rim.points); ++p) {
+    const std::span<const int32_t> there = arriving.Of(p);
+    if (there.empty()) continue;
+    LinkAt(rim, p, there, leaving.Of(p), after, next);
+    touching[p] = there.size() > 1;
   }
   return next;
 }

@@ -70,13 +70,21 @@ RimIndex::RimIndex(const Rim& rim)
       mean_size_(MeanLength(rim)),
       bins_(BinsOf(rim, mean_size_)),
       sizes_(SizesOf(rim)),
-      corners_(rim.points.size()) {
-  for (const std::vector<int32_t>& loop : rim.loops) {
-    for (size_t k = 0; k < loop.size(); ++k) {
-      const int32_t point = rim.edges[loop[k]].to;
-      corners_[static_cast<size_t>(point)].emplace_back(Before(loop, k), After(loop, k));
-    }
+      corners_(Corners()),
+      corners_at_(rim.points.size(), [&rim](const auto& use) {
+        int32_t corner = 0;
+        for (const std::vector<int32_t>& loop : rim.loops) {
+          for (const int32_t e : loop) use(rim.edges[e].to, corner++);
+        }
+      }) {}
+
+// One for each edge of the loops, in order.
+std::vector<std::pair<int32_t, int32_t>> RimIndex::Corners() const {
+  std::vector<std::pair<int32_t, int32_t>> corners;
+  for (const std::vector<int32_t>& loop : rim_.loops) {
+    for (size_t k = 0; k < loop.size(); ++k) corners.emplace_back(Before(loop, k), After(loop, k));
   }
+  return corners;
 }
 
 // The nearest point of the loop before (after) the end of edge k that does not lie at the same place seen from above.
@@ -109,7 +117,8 @@ int32_t RimIndex::EdgeBetween(int32_t a, int32_t b) const {
 bool RimIndex::LeavesIntoHole(int32_t point, const Point2& direction) const {
   const auto angle = [](const Point2& d) { return std::atan2(d.y(), d.x()); };
   const auto turn = [](double a) { return a <= 0 ? a + 2 * std::numbers::pi : a; };
-  for (const auto& [before, after] : corners_[static_cast<size_t>(point)]) {
+  for (const int32_t corner : corners_at_.Of(point)) {
+    const auto& [before, after] = corners_[corner];
     const double back = angle(At(before) - At(point));
     const double whole = turn(angle(At(after) - At(point)) - back);
     const double part = turn(angle(direction) - back);

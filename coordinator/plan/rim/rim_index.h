@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/mesh/bin_grid.h"
+#include "common/mesh/vertex_lists.h"
 #include "coordinator/plan/rim/grown_sizes.h"
 #include "coordinator/plan/rim/rim.h"
 
@@ -44,6 +45,7 @@ class RimIndex {
 
  private:
   Point2 At(int32_t point) const { return rim_.points[point].position.head<2>(); }
+  std::vector<std::pair<int32_t, int32_t>> Corners() const;
   int32_t Before(const std::vector<int32_t>& loop, size_t k) const;
   int32_t After(const std::vector<int32_t>& loop, size_t k) const;
   bool LeavesIntoHole(int32_t point, const Point2& direction) const;
@@ -52,8 +54,9 @@ class RimIndex {
   double mean_size_;
   BinGrid bins_;      // of the edges
   GrownSizes sizes_;  // of the points
-  std::vector<std::vector<std::pair<int32_t, int32_t>>>
-      corners_;  // per point: the points before and after it along its loops, elsewhere seen from above
+  // The points before and after a point along a loop, elsewhere seen from above.
+  std::vector<std::pair<int32_t, int32_t>> corners_;
+  VertexLists corners_at_;  // of each point
 };
 
 }  // namespace tilemend

@@ -114,10 +114,11 @@ class WindowedRim {
   std::vector<WeightedHeight> HeightsFarFrom(const Point3& place) const {
     std::vector<size_t> order(windows_.size());
     std::iota(order.begin(), order.end(), size_t{0});
-    std::ranges::sort(order, {},
-                      [&](size_t w) { return std::pair((windows_[w].place - place).head<2>().squaredNorm(), w); });
+    const auto half = order.begin() + (std::ssize(order) + 1) / 2;
+    std::ranges::nth_element(
+        order, half, {}, [&](size_t w) { return std::pair((windows_[w].place - place).head<2>().squaredNorm(), w); });
     std::vector<bool> is_near(windows_.size(), false);
-    for (size_t i = 0; i < (windows_.size() + 1) / 2; ++i) is_near[order[i]] = true;
+    std::for_each(order.begin(), half, [&](size_t w) { is_near[w] = true; });
     std::vector<WeightedHeight> far;
     far.reserve(heights_.size());
     for (size_t e = 0; e < heights_.size(); ++e) {
