@@ -181,7 +181,9 @@ bool ResultIntake::TakeReport(const std::string& worker, Report& report) {
     std::get<TaskCompleted>(report.event).time = cluster_.options.clock();
   }
   const std::optional<Task> before = failed != nullptr && task != nullptr ? std::optional(*task) : std::nullopt;
-  const auto effects = updates_.Apply(report.event, {std::move(report.content)});
+  TaskContents contents;
+  contents.push_back(std::move(report.content));  // a list of one would copy it
+  const auto effects = updates_.Apply(report.event, std::move(contents));
   if (!effects.ok()) return false;
   if (before) {
     cluster_.events.AttemptFailed(*before, report.ref.job(), worker, cluster_.jobs.at(report.ref.job()).origin,
