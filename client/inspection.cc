@@ -182,8 +182,8 @@ Inspection InspectScene(Scene scene, const PlanOptions& options, const StepWatch
   }
   if (inspection.errors.empty()) TellGround(watcher, waves);
   if (inspection.errors.empty()) {
-    absl::Status decisions = CheckDecisions(waves.plan());
-    if (!decisions.ok()) inspection.errors.push_back(std::move(decisions));
+    absl::Status areas = CheckAreas(waves.plan());
+    if (!areas.ok()) inspection.errors.push_back(std::move(areas));
   }
   return inspection;
 }

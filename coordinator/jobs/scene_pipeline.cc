@@ -101,12 +101,12 @@ struct Steps {
   std::vector<std::pair<std::string, double>> seconds;
   std::shared_ptr<SceneSight> sight;
   int64_t holes = 0;   // in the cells that were chosen, of the plan
-  absl::Status areas;  // CheckLevels, once the surface is known, and CheckDecisions, once the holes are
+  absl::Status areas;  // CheckLevels, once the surface is known, and CheckAreas, once the holes are
 
   void End(std::string_view step, const SceneWaves& waves) {
     seconds.emplace_back(step, watch.Lap());
     if (step == "survey") areas = CheckLevels(waves.options().plan.water.areas, waves.survey().records());
-    if (step == "plan") areas.Update(CheckDecisions(waves.plan()));
+    if (step == "plan") areas.Update(CheckAreas(waves.plan()));
     if (step == "plan") sight->SetPlan(waves.plan(), waves.outcome().chosen);
     holes = std::ranges::count_if(waves.plan().holes,
                                   [&](const PlannedHole& hole) { return waves.options().IsChosen(hole.cell); });

@@ -7,6 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "absl/strings/match.h"
+#include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
 #include "absl/strings/str_join.h"
 #include "common/util/text.h"
@@ -76,6 +78,25 @@ void WarnOfTiles(const Plan& plan, std::vector<std::string>& warnings) {
   }
 }
 
+absl::Status CheckDecisions(const Plan& plan) {
+  size_t decisions = 0;
+  const WaterAnswer* over_hole = nullptr;
+  for (const WaterAnswer& answer : plan.water_answers) {
+    if (answer.decision == ReviewDecision::kNone) continue;
+    if (answer.taken) return absl::OkStatus();
+    if (answer.is_over_hole && over_hole == nullptr) over_hole = &answer;
+    ++decisions;
+  }
+  if (decisions == 0) return absl::OkStatus();
+  if (over_hole != nullptr) {
+    return absl::InvalidArgumentError(absl::StrFormat("none of the %d decisions has an effect; %s: %s", decisions,
+                                                      over_hole->label, over_hole->reason));
+  }
+  return absl::InvalidArgumentError(
+      absl::StrFormat("none of the %d decisions applies: no hole lies under %s; is the file of another scene?",
+                      decisions, decisions == 1 ? "it" : "them"));
+}
+
 }  // namespace
 
 std::vector<std::string> PlanWarnings(const Plan& plan) {
@@ -111,23 +132,15 @@ std::vector<std::string> PlanWarnings(const Plan& plan) {
   return warnings;
 }
 
-absl::Status CheckDecisions(const Plan& plan) {
-  size_t decisions = 0;
-  const WaterAnswer* over_hole = nullptr;
+absl::Status CheckAreas(const Plan& plan) {
   for (const WaterAnswer& answer : plan.water_answers) {
-    if (answer.decision == ReviewDecision::kNone) continue;
-    if (answer.taken) return absl::OkStatus();
-    if (answer.is_over_hole && over_hole == nullptr) over_hole = &answer;
-    ++decisions;
+    if (!answer.has_cleared || answer.taken || !absl::StrContains(answer.reason, kReachesUnknownRim)) continue;
+    return absl::InvalidArgumentError(
+        absl::StrCat(answer.label,
+                     ": what it takes out reaches the rim of the area, which is not known, and would stay open; give "
+                     "--area FILE (`tilemend inspect SCENE --propose-area FILE` draws one)"));
   }
-  if (decisions == 0) return absl::OkStatus();
-  if (over_hole != nullptr) {
-    return absl::InvalidArgumentError(absl::StrFormat("none of the %d decisions has an effect; %s: %s", decisions,
-                                                      over_hole->label, over_hole->reason));
-  }
-  return absl::InvalidArgumentError(
-      absl::StrFormat("none of the %d decisions applies: no hole lies under %s; is the file of another scene?",
-                      decisions, decisions == 1 ? "it" : "them"));
+  return CheckDecisions(plan);
 }
 
 }  // namespace tilemend

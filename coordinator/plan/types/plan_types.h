@@ -197,6 +197,7 @@ struct WaterAnswer {
   std::optional<double> clear_height = {};          // of an area with `clear`
   ReviewDecision decision = ReviewDecision::kNone;  // of the area
   bool is_over_hole = true;                         // it covers some of a hole
+  bool has_cleared = false;                         // surface was taken out under it
 };
 
 struct LeftOpen {

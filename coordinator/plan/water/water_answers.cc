@@ -213,6 +213,7 @@ class Answers {
       answer.water = areas_[a].water;
       answer.decision = areas_[a].decision;
       if (areas_[a].clear) answer.clear_height = areas_[a].clear_height;
+      answer.has_cleared = !areas_[a].cleared_cells.empty();
       double taken = 0, under = 0;  // m2
       std::vector<BodyAnswer> answers;
       for (const auto& [b, share] : shares_[a]) {

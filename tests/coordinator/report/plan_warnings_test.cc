@@ -50,23 +50,35 @@ TEST(PlanWarningsTest, EachDecisionWithoutEffectIsNamed) {
   EXPECT_THAT(PlanWarnings(plan).back(), HasSubstr("120 decisions are not taken; the report lists all"));
 }
 
-TEST(CheckDecisionsTest, RefusesDecisionsOfWhichNoneHasAnEffect) {
+TEST(CheckAreasTest, RefusesDecisionsOfWhichNoneHasAnEffect) {
   Plan plan;
-  EXPECT_TRUE(CheckDecisions(plan).ok());
+  EXPECT_TRUE(CheckAreas(plan).ok());
   plan.water_answers.assign(3, {"feature", true, false, {}, "no hole lies under it"});
   for (WaterAnswer& answer : plan.water_answers) answer.is_over_hole = false;
-  EXPECT_TRUE(CheckDecisions(plan).ok());  // polygons of --water
+  EXPECT_TRUE(CheckAreas(plan).ok());  // polygons of --water
   plan.water_answers[1].decision = plan.water_answers[2].decision = ReviewDecision::kAccept;
-  const absl::Status refused = CheckDecisions(plan);
+  const absl::Status refused = CheckAreas(plan);
   EXPECT_TRUE(absl::IsInvalidArgument(refused));
   EXPECT_THAT(std::string(refused.message()),
               HasSubstr("none of the 2 decisions applies: no hole lies under them; is the file of another scene?"));
   plan.water_answers[2].is_over_hole = true;
   plan.water_answers[2].reason = "it covers 34 % of holes 0 and 19";
-  EXPECT_THAT(std::string(CheckDecisions(plan).message()),
+  EXPECT_THAT(std::string(CheckAreas(plan).message()),
               HasSubstr("none of the 2 decisions has an effect; feature: it covers 34 % of holes 0 and 19"));
   plan.water_answers[1].taken = true;
-  EXPECT_TRUE(CheckDecisions(plan).ok());
+  EXPECT_TRUE(CheckAreas(plan).ok());
+}
+
+TEST(CheckAreasTest, RefusesToClearAtARimThatIsNotKnown) {
+  Plan plan;
+  WaterAnswer& answer = plan.water_answers.emplace_back();
+  answer.label = "feature 0";
+  answer.reason = std::string("the hole that it covers is left: ") + kReachesUnknownRim;
+  EXPECT_TRUE(CheckAreas(plan).ok()) << "nothing was taken out";
+  answer.has_cleared = true;
+  const absl::Status refused = CheckAreas(plan);
+  EXPECT_TRUE(absl::IsInvalidArgument(refused));
+  EXPECT_THAT(std::string(refused.message()), HasSubstr("feature 0: what it takes out reaches the rim of the area"));
 }
 
 TEST(PlanWarningsTest, SaysThatNoHoleLiesInTheArea) {
