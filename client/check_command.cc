@@ -251,7 +251,11 @@ std::string FilesText(const Json& json) {
 void PrintTable(const Json& json) {
   std::string text = absl::StrCat("checked: ", Printable(json["path"].get<std::string>()), ", ",
                                   Counted(json["triangles"].get<size_t>(), "triangle"), "\n");
-  const auto first = [](const Json& at) { return at.empty() ? "" : absl::StrCat(", the first at ", at[0].dump()); };
+  const auto first = [](const Json& at) {
+    return at.empty() ? ""
+                      : absl::StrFormat(", the first at [%.8g,%.8g,%.8g]", at[0][0].get<double>(),
+                                        at[0][1].get<double>(), at[0][2].get<double>());
+  };
   for (const auto& [defect, name, one, many] : kNames) {
     const Json& finding = json["defects"][name];
     absl::StrAppend(&text, CountRow(finding["count"], one, many), first(finding["at"]), "\n");
