@@ -99,8 +99,8 @@ RULES = {
         ['eigen']),
 
     'worker/fill/space': rule(
-        ['common/mesh', 'worker/fill/mesh', 'worker/fill/region', 'worker/fill/hole', 'worker/fill/surface',
-         'worker/fill/shape'],
+        ['common/mesh', 'common/records', 'worker/fill/mesh', 'worker/fill/region', 'worker/fill/hole',
+         'worker/fill/surface', 'worker/fill/shape'],
         ['eigen']),
 
     'worker/fill/plane': rule(

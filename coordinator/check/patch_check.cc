@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "absl/strings/str_cat.h"
 #include "common/mesh/vertex_lists.h"
+#include "common/records/moved_outline.h"
 
 namespace tilemend {
 namespace {
@@ -55,37 +59,64 @@ Edges EdgesOf(const HolePatch& patch, size_t rim_vertices) {
   return edges;
 }
 
-Edges RimOf(const CellHole& hole) {
+// Without the segments that a patch may leave (moved_outline.h), if those are not asked for.
+Edges RimOf(const CellHole& hole, bool with_outline) {
   Edges rim;
   rim.reserve(hole.segments.size());
   for (const RimSegment& s : hole.segments) {
+    if (!with_outline && hole.own_outline && s.seam) continue;
     rim.push_back(EdgeKey(static_cast<uint32_t>(s.from), static_cast<uint32_t>(s.to)));
   }
   std::sort(rim.begin(), rim.end());
   return rim;
 }
 
-absl::Status CheckEdges(const CellHole& hole, const HolePatch& patch, size_t rim_vertices) {
+// Those of which the other direction is not there. `edges` are sorted.
+Edges OpenOnes(const Edges& edges) {
+  Edges open;
+  for (size_t i = 0; i < edges.size(); ++i) {
+    const bool is_closed = i + 1 < edges.size() && edges[i + 1] == Reversed(edges[i]);
+    if (is_closed) {
+      ++i;
+    } else {
+      open.push_back(edges[i]);
+    }
+  }
+  return open;
+}
+
+std::vector<PlacedEdge> InSpace(const Edges& edges, const CellHoles& asked, const HolePatch& patch) {
+  const auto rim_vertices = static_cast<int64_t>(asked.vertices.size());
+  const auto at = [&](int64_t v) {
+    return v < rim_vertices ? asked.vertices[v].position : patch.new_points[v - rim_vertices];
+  };
+  std::vector<PlacedEdge> placed;
+  for (const uint64_t edge : edges) {
+    auto from = static_cast<int64_t>(edge >> 32), to = static_cast<int64_t>((edge & UINT32_MAX) >> 1);
+    if ((edge & 1) != 0) std::swap(from, to);
+    placed.push_back({from, to, at(from), at(to)});
+  }
+  return placed;
+}
+
+absl::Status CheckEdges(const CellHoles& asked, const CellHole& hole, const HolePatch& patch) {
   const auto is_flat = [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[0] == t[2]; };
   if (std::any_of(patch.triangles.begin(), patch.triangles.end(), is_flat)) {
     return Wrong(hole.id, "a triangle with a corner twice");
   }
-  const Edges edges = EdgesOf(patch, rim_vertices), rim = RimOf(hole);
+  const Edges edges = EdgesOf(patch, asked.vertices.size()), rim = RimOf(hole, true);
   if (std::adjacent_find(edges.begin(), edges.end()) != edges.end()) {
     return Wrong(hole.id, "an edge with two triangles on one side");
   }
-  if (!std::includes(edges.begin(), edges.end(), rim.begin(), rim.end())) {
-    return Wrong(hole.id, "a rim segment without a triangle");
-  }
-  Edges inner;
-  inner.reserve(edges.size() - rim.size());
-  std::set_difference(edges.begin(), edges.end(), rim.begin(), rim.end(), std::back_inserter(inner));
-  for (size_t i = 0; i < inner.size(); i += 2) {
-    if (i + 1 == inner.size() || inner[i + 1] != Reversed(inner[i])) {
-      return Wrong(hole.id, "an edge inside that is left open");
-    }
-  }
-  return absl::OkStatus();
+  if (!std::ranges::includes(edges, RimOf(hole, false))) return Wrong(hole.id, "a rim segment without a triangle");
+  Edges inner, lost;
+  inner.reserve(edges.size() - std::min(edges.size(), rim.size()));
+  std::ranges::set_difference(edges, rim, std::back_inserter(inner));
+  std::ranges::set_difference(rim, edges, std::back_inserter(lost));
+  const Edges fresh = OpenOnes(inner);
+  if (lost.empty() && fresh.empty()) return absl::OkStatus();
+  const bool may_move = MayMoveOutline(InSpace(lost, asked, patch), InSpace(fresh, asked, patch));
+  return may_move ? absl::OkStatus() : Wrong(hole.id, "an edge inside that is left open");
 }
 
 // As ReachOf, twice as far: a surface may go beyond its rim, but not away. Water lies where its level is, ground under
@@ -143,7 +174,7 @@ absl::Status CheckPatch(const CellHoles& asked, const CellHole& hole, const Hole
     return bare ? absl::OkStatus() : Wrong(hole.id, "both a reason to leave it and a patch");
   }
   if (patch.way == FillWay::kNone) return Wrong(hole.id, "filled in no way");
-  absl::Status status = CheckEdges(hole, patch, asked.vertices.size());
+  absl::Status status = CheckEdges(asked, hole, patch);
   if (status.ok()) status = CheckPoints(asked, hole, patch);
   return status.ok() ? CheckTriangles(asked, hole, patch) : status;
 }

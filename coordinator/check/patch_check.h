@@ -14,7 +14,8 @@ namespace tilemend {
 //  - there is exactly one patch for each hole of `asked`;
 //  - a patch with a failure has no geometry, and any other
 //     - has each rim segment of its hole in one triangle, in its direction, and each other edge in two, once each way:
-//       so it closes the hole, is oriented like the surface around it, and has no triangle twice;
+//       so it closes the hole, is oriented like the surface around it, and has no triangle twice. Where the hole ends
+//       at the tile's own outline, the patch may end beside it (MayMoveOutline);
 //     - has only finite new vertices, no further from its hole than the hole is large (from the heights of its water,
 //     if
 //       it is water);

@@ -11,6 +11,8 @@
 #include <string>
 #include <utility>
 
+#include "tests/support/outline_hole.h"
+
 namespace tilemend {
 namespace {
 
@@ -83,6 +85,22 @@ TEST(PatchCheckTest, RefusesAPatchThatDoesNotCloseItsHole) {
             "");
   // A closed body beside a sound patch has every edge twice, once each way: it is not seen.
   EXPECT_NE(Fault([](HolePatch& p) { p.triangles.push_back({0, 2, 1}); }), "") << "on the other side of the rim";
+}
+
+TEST(PatchCheckTest, APatchMayEndBesideItsTilesOwnOutline) {
+  const auto fault = [](const Point3& beside, bool own_outline) {
+    CellHoles asked = HoleAtOutline();
+    asked.holes[0].own_outline = own_outline;
+    HolePatch patch;
+    patch.hole = 7;
+    patch.way = FillWay::kGround;
+    patch.new_points = {{2, 2, 5}, beside};
+    patch.triangles = {{0, -2, -1}, {-2, 2, -1}, {2, 3, -1}, {3, 4, -1}, {4, 0, -1}};
+    return std::string(CheckPatches(asked, {patch}, TallyOf({patch})).message());
+  };
+  EXPECT_EQ(fault({2, 0.1, 5}, true), "");
+  EXPECT_NE(fault({2, 0.5, 5}, true), "") << "too far from it";
+  EXPECT_NE(fault({2, 0.1, 5}, false), "") << "another tile has the vertex between";
 }
 
 TEST(PatchCheckTest, RefusesVerticesFarFromTheHole) {

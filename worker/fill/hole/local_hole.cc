@@ -127,6 +127,20 @@ LocalHole NumberVertices(const CellHoles& cell, const CellBand& band, std::span<
   return hole;
 }
 
+// An edge that boundaries pass twice has two vertices that they pass twice.
+std::vector<VertexPair> FreeEdgesOf(const LocalHole& local, const CellHole& hole) {
+  std::vector<VertexPair> edges;
+  if (!hole.own_outline) return edges;
+  for (size_t i = 0; i < hole.segments.size(); ++i) {
+    const RimSegment& s = hole.segments[i];
+    const auto [from, to] = local.segments[i];
+    const bool is_passed_once = local.band->Passes(s.from) == 1 || local.band->Passes(s.to) == 1;
+    if (s.seam && is_passed_once && local.TrianglesBeside(from, to) == 0) edges.push_back(Undirected(from, to));
+  }
+  std::ranges::sort(edges);
+  return edges;
+}
+
 LocalHole MakeLocalHole(const CellHoles& cell, const CellBand& band, const CellHole& hole) {
   LocalHole local = NumberVertices(cell, band, hole.segments, hole.inner_edges);
   local.open = hole.open;
@@ -137,6 +151,7 @@ LocalHole MakeLocalHole(const CellHoles& cell, const CellBand& band, const CellH
   local.river = hole.river;
   local.in_ground = hole.in_ground && FacesUp(local.VectorArea());
   local.own_outline = hole.own_outline;
+  local.free_edges = FreeEdgesOf(local, hole);
   local.normals.assign(local.vertices.size(), Vector3d::Zero());
   if (hole.open) return local;
   for (std::vector<int32_t>& loop : LoopsOf(local.segments)) local.loops.push_back(LoopOver(local, std::move(loop)));

@@ -44,7 +44,9 @@ struct LocalHole {
 
   std::vector<RegionSegment> segments;  // the hole on the left
   std::vector<VertexPair> boundary;     // the same, sorted, as edges
-  std::vector<RimLoop> loops;           // the outer one first; none if the segments do not form loops
+  // Of the boundary with own_outline: edges that neither the surface nor another hole of the cell has; sorted.
+  std::vector<VertexPair> free_edges;
+  std::vector<RimLoop> loops;  // the outer one first; none if the segments do not form loops
 
   std::vector<RegionSegment> inner_edges;  // CellHole::inner_edges, each in both directions
 

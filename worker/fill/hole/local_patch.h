@@ -16,11 +16,12 @@ struct LocalPatch {
   FillFailure failure = FillFailure::kNone;  // another: no geometry
   std::vector<Point3> new_points = {};
   std::vector<Triangle> triangles = {};
-  std::optional<HoldOut> hold_out = {};  // where the tension was chosen for this patch alone
-  bool is_bare = false;                  // no new vertex could be laid where the way would have liked some
-  int32_t loop_cuts = 0;                 // as HolePatch
-  int32_t crossings = 0;                 // as HolePatch
-  std::vector<int32_t> feet = {};        // of each vertex of the hole, as RaiseWalls returns them
+  std::optional<HoldOut> hold_out = {};     // where the tension was chosen for this patch alone
+  bool is_bare = false;                     // no new vertex could be laid where the way would have liked some
+  int32_t loop_cuts = 0;                    // as HolePatch
+  int32_t crossings = 0;                    // as HolePatch
+  std::vector<int32_t> feet = {};           // of each vertex of the hole, as RaiseWalls returns them
+  std::vector<VertexPair> left_edges = {};  // of LocalHole::free_edges: the patch ends beside them; sorted
 
   bool ok() const { return failure == FillFailure::kNone; }
 };

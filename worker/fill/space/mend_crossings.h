@@ -20,8 +20,8 @@ namespace tilemend {
 // What ends at the outline of a tile is taken out only next to what crosses, so that it stays near the neighbour's.
 // At last single points and edges are changed where triangles still cross (untangle_patch.h).
 // A round counts if no more triangles cross than before, crossings that every patch has left aside (CrossedAvoidably).
-// The boundary of the patch stays. What cannot be mended stays as it is, and is counted (LocalPatch::crossings).
-// Returns the patch; without points that no triangle has left, if it has changed.
+// The boundary of the patch stays, but as UntanglePatch changes it. What cannot be mended stays as it is, and is
+// counted (LocalPatch::crossings). Returns the patch; without points that no triangle has left, if it has changed.
 //   patch         sound otherwise (FaultOf)
 //   is_cancelled  asked before each round and each part of one; true ends it, with what is mended until then
 // Source: Attene 2010, 3.4, where what intersects is removed with growing neighbourhoods and the holes are filled.

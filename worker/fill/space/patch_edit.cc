@@ -86,6 +86,14 @@ std::vector<int32_t> PatchEdit::TrianglesAt(int32_t v) const {
   return at;
 }
 
+std::vector<int32_t> PatchEdit::TrianglesAtEdge(int32_t a, int32_t b) const {
+  const auto there = at_edge_.find(Undirected(a, b));
+  if (there == at_edge_.end()) return {};
+  std::vector<int32_t> at = there->second;
+  std::ranges::sort(at);
+  return at;
+}
+
 bool PatchEdit::HasOverfullEdge(int32_t t) const {
   for (int k = 0; k < 3; ++k) {
     const VertexPair edge = EdgeOf(t, k);

@@ -56,6 +56,9 @@ class PatchEdit {
   // Those that are not gone, rising. O(triangles).
   std::vector<int32_t> TrianglesAt(int32_t v) const;
 
+  // The same of an edge. O(log n).
+  std::vector<int32_t> TrianglesAtEdge(int32_t a, int32_t b) const;
+
   // Whether a triangle has an edge with more than two, those of the surface counted.
   bool HasOverfullEdge(int32_t t) const;
 

@@ -83,7 +83,8 @@ FillFailure FaultOf(const LocalHole& hole, const LocalPatch& patch) {
   std::set<std::pair<int32_t, int32_t>> segments;  // two to and fro are closed by themselves
   for (const RegionSegment& s : hole.segments) segments.insert({s.from, s.to});
   const bool closes = std::all_of(hole.segments.begin(), hole.segments.end(), [&](const RegionSegment& s) {
-    return count(s.from, s.to) > 0 || segments.contains({s.to, s.from});
+    return count(s.from, s.to) > 0 || segments.contains({s.to, s.from}) ||
+           std::ranges::binary_search(patch.left_edges, Undirected(s.from, s.to));
   });
   return closes ? FillFailure::kNone : FillFailure::kNotClosed;
 }

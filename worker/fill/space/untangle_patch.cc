@@ -12,7 +12,9 @@
 
 #include "common/mesh/position_index.h"
 #include "common/mesh/triangle_shape.h"
+#include "worker/fill/space/free_outline.h"
 #include "worker/fill/space/live_crossings.h"
+#include "worker/fill/space/patch_changes.h"
 #include "worker/fill/space/patch_crossings.h"
 #include "worker/fill/space/patch_edit.h"
 #include "worker/fill/space/patch_soundness.h"
@@ -27,27 +29,9 @@ constexpr double kMinLess = 1e-9;  // metres: sums in another order differ by le
 constexpr double kSteps[] = {0.5, 0.25, 0.1, 0.04, 0.015};
 // Of the same: how far surface that faces up may rise or fall.
 constexpr double kMaxRise = 0.25;
-// An edge is divided no nearer to its ends, as a share of it.
-constexpr double kMinShare = 0.1;
-// Bounds on the work: changes tried in a patch, some 1,000 for a triangle; triangles around a point that is moved.
+// A bound on the work: changes tried in a patch, some 1,000 for a triangle.
 constexpr int kMaxTries = 50'000;
-constexpr size_t kMaxAround = 64;
 constexpr int kTriesPerQuestion = 100;  // whether it is cancelled
-
-bool Has(const Triangle& t, int32_t v) { return std::ranges::find(t, v) != t.end(); }
-
-Triangle With(Triangle t, int32_t old_vertex, int32_t new_vertex) {
-  std::ranges::replace(t, old_vertex, new_vertex);
-  return t;
-}
-
-// Triangles that go and others that come.
-struct PatchChange {
-  std::vector<int32_t> out;
-  std::vector<Triangle> in;
-  std::optional<int32_t> gone = {};  // a vertex that no triangle has afterwards
-  std::optional<Point3> point = {};  // of a new vertex, the next one of the patch
-};
 
 class Untangler {
  public:
@@ -57,6 +41,7 @@ class Untangler {
         is_cancelled_(is_cancelled),
         patch_(patch),
         edit_(hole, patch),
+        outline_(hole),
         crossings_(surface, earlier, edit_.AllPlaced()) {
     double edges = 0;
     for (const SpaceTriangle& t : edit_.AllPlaced()) {
@@ -76,6 +61,7 @@ class Untangler {
   }
 
   void Run() {
+    LocalPatch before = patch_;
     std::set<int32_t> left;  // triangles that cross in the end
     for (;;) {
       const std::set<int32_t> cluster = NextCluster(left);
@@ -84,6 +70,7 @@ class Untangler {
       left.insert(rest.begin(), rest.end());
     }
     edit_.Finish();
+    if (!outline_.TellLeft(patch_)) patch_ = std::move(before);
   }
 
  private:
@@ -157,67 +144,18 @@ class Untangler {
     for (const PatchCrossing& c : crossings_.Avoidable()) {
       if (c.pair.a == t || c.pair.b == t) points.insert(points.end(), c.points.begin(), c.points.end());
     }
-    const SpaceTriangle p = edit_.Placed(t);  // trying changes lets go of what it is in
+    const SpaceTriangle& p = edit_.Placed(t);
     if (points.empty()) points.assign(p.begin(), p.end());
     const Point3 middle =
         std::accumulate(points.begin(), points.end(), Point3(Point3::Zero())) / static_cast<double>(points.size());
-    const Triangle corners = edit_.Corners(t);
-    for (const int32_t v : corners) {
-      if (v >= hole_.size()) TryAtPoint(v);
+    for (const auto& [change, places] : ChangesAt(t, middle, NextPoint(), hole_, edit_, outline_)) {
+      for (const auto& [place, size] : places) TryPlaces(change, place, size);
+      if (places.empty()) Try(change);
     }
-    for (int k = 0; k < 3; ++k) TryAtEdge(corners[k], corners[(k + 1) % 3], middle);
-    PatchChange divide{{t}, {}};
-    for (const int32_t v : corners) divide.in.push_back(With(corners, v, NextPoint()));
-    for (const Point3& place : {Point3((p[0] + p[1] + p[2]) / 3), middle}) TryPlaces(divide, place, SizeOf(p));
     if (best_) Make(*best_);
   }
 
-  static double SizeOf(const SpaceTriangle& t) { return std::sqrt(TwiceVectorArea(t).norm()); }
-
   int32_t NextPoint() const { return hole_.size() + static_cast<int32_t>(patch_.new_points.size()); }
-
-  void TryAtPoint(int32_t v) {
-    const std::vector<int32_t> star = edit_.TrianglesAt(v);
-    if (star.size() > kMaxAround) return;
-    std::set<int32_t> around;
-    PatchChange move{star, {}, v};
-    for (const int32_t t : star) {
-      around.insert(edit_.Corners(t).begin(), edit_.Corners(t).end());
-      move.in.push_back(With(edit_.Corners(t), v, NextPoint()));
-    }
-    around.erase(v);
-    double edges = 0;
-    for (const int32_t w : around) edges += (edit_.At(w) - edit_.At(v)).norm();
-    TryPlaces(move, edit_.At(v), edges / static_cast<double>(around.size()));
-    if (hole_.level) return;  // water would rise to what it merges with
-    for (const int32_t w : around) {
-      PatchChange merge{star, {}, v};
-      for (const int32_t t : star) {
-        if (!Has(edit_.Corners(t), w)) merge.in.push_back(With(edit_.Corners(t), v, w));
-      }
-      Try(merge);
-    }
-  }
-
-  //   middle  of the curves on a triangle at the edge
-  void TryAtEdge(int32_t a, int32_t b, const Point3& middle) {
-    std::vector<int32_t> sides = edit_.TrianglesAt(a);
-    std::erase_if(sides, [&](int32_t t) { return !Has(edit_.Corners(t), b); });
-    if (sides.size() != 2) return;
-    PatchChange divide{sides, {}};
-    std::vector<int32_t> tips;
-    for (const int32_t t : sides) {
-      const Triangle& c = edit_.Corners(t);
-      for (const int32_t end : {a, b}) divide.in.push_back(With(c, end, NextPoint()));
-      tips.push_back(*std::ranges::find_if(c, [&](int32_t v) { return v != a && v != b; }));
-    }
-    const Eigen::Vector3d along = edit_.At(b) - edit_.At(a);
-    const double share = (middle - edit_.At(a)).dot(along) / along.squaredNorm();
-    const Point3 place = edit_.At(a) + std::clamp(share, kMinShare, 1 - kMinShare) * along;
-    TryPlaces(divide, place, along.norm() / 2);
-    if (!edit_.MayJoin(tips[0], tips[1])) return;
-    Try({sides, {With(edit_.Corners(sides[0]), a, tips[1]), With(edit_.Corners(sides[1]), b, tips[0])}});
-  }
 
   // With its new point at a place and around it; at the water's level if the place is there.
   void TryPlaces(PatchChange change, const Point3& place, double size) {
@@ -245,7 +183,8 @@ class Untangler {
       for (int k = 0; k < 3; ++k) placed[k] = t[k] == NextPoint() ? *change.point : edit_.At(t[k]);
       if (!HasArea(placed)) return;
     }
-    if (in.empty() || !IsWithinReach(change) || !KeepsWater(change, in) || !KeepsSurface(change, in)) return;
+    if (!IsWithinReach(change) || !StaysAtOutline(change) || !KeepsWater(change, in) || !KeepsSurface(change, in))
+      return;
     if (++tries_ % kTriesPerQuestion == 0) is_ended_ = IsAtEnd();
     const double weight = crossings_.WeightWith(change.out, in);
     if (weight > least_ - kMinLess || !KeepsManifold(change)) return;
@@ -259,6 +198,11 @@ class Untangler {
 
   // Of the patch as it came in, and an edge around it.
   bool IsWithinReach(const PatchChange& change) const { return !change.point || reach_.contains(*change.point); }
+
+  bool StaysAtOutline(const PatchChange& change) const {
+    const bool faces_up = std::ranges::all_of(change.out, [&](int32_t t) { return edit_.FacesUp(t); });
+    return !change.point || !change.planned || FreeOutline::MayLie(*change.planned, *change.point, faces_up);
+  }
 
   // Whether where there was water there still is, and nothing else.
   bool KeepsWater(const PatchChange& change, const std::vector<SpaceTriangle>& in) const {
@@ -305,8 +249,10 @@ class Untangler {
 
   void Make(const PatchChange& change) {
     const int32_t first = edit_.count();
+    if (change.freed) outline_.Add(*change.freed, edit_.At(*change.freed));
     if (change.point) {
-      edit_.AddPoint(*change.point);
+      const int32_t v = edit_.AddPoint(*change.point);
+      if (change.planned) outline_.Add(v, *change.planned);
       taken_.Insert(*change.point);
     }
     Put(change);
@@ -319,6 +265,7 @@ class Untangler {
   const std::function<bool()>& is_cancelled_;
   LocalPatch& patch_;
   PatchEdit edit_;
+  FreeOutline outline_;
   LiveCrossings crossings_;
   Eigen::AlignedBox3d reach_;  // of new points
   PositionIndex taken_;        // where there is, or was, a vertex

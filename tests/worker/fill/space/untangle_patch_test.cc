@@ -9,6 +9,7 @@
 
 #include "common/mesh/triangle_shape.h"
 #include "tests/support/folded_meshes.h"
+#include "tests/support/outline_hole.h"
 #include "worker/fill/space/minimum_weight.h"
 #include "worker/fill/space/patch_soundness.h"
 
@@ -88,6 +89,28 @@ TEST_F(UntanglePatchTest, KeepsWaterAtItsLevel) {
   ASSERT_THAT(Crossed(), Not(IsEmpty()));
   Untangle();
   EXPECT_THAT(patch_.new_points, Each(Truly([](const Point3& p) { return p.z() == 0; })));
+}
+
+// Where the hole ends at the tile's own outline, the surface of the piece beyond passes through its edge.
+TEST(UntanglePatchAtOutlineTest, EndsOverTheSurfaceBeyond) {
+  const CellHoles work = HoleAtOutline();
+  const CellBand band(work);
+  const LocalHole hole = MakeLocalHole(work, band, work.holes[0]);
+  LocalPatch patch;
+  patch.new_points = {{2, 2, 5}};
+  for (const RegionSegment& s : hole.segments) patch.triangles.push_back({s.from, s.to, 5});
+  // It reaches 9 cm over the outline, on one side above the patch and on the other below.
+  const std::vector<SpaceTriangle> surface = {{Point3(0.5, -1, 4.97), Point3(3.5, -1, 5.03), Point3(2, 0.09, 4.999)}};
+  const auto crossed = [&] {
+    return CrossingCheck(hole, ReachOf(work, work.holes[0]), [&](const Point3&, const Point3&) { return surface; }, {})
+        .CrossedAvoidably(patch);
+  };
+  ASSERT_THAT(crossed(), Not(IsEmpty()));
+  UntanglePatch(
+      hole, surface, {}, [] { return false; }, patch);
+  EXPECT_THAT(crossed(), IsEmpty());
+  EXPECT_EQ(FaultOf(hole, patch), FillFailure::kNone);
+  EXPECT_THAT(patch.left_edges, Not(IsEmpty()));
 }
 
 TEST_F(UntanglePatchTest, LeavesASoundPatchAsItIs) {
