@@ -26,9 +26,8 @@ class FreeOutline {
   // Where the plan has a free vertex; `now` of another one.
   Point3 PlannedPlace(int32_t v, const Point3& now) const;
   // Whether the boundary may come to `p` where the plan has it at `planned`.
-  //   faces_up  the surface there does. It stays nearer: its edge has to lie over or under the surface beyond. Walls
-  //   may
-  //             stand beside each other
+  //   faces_up  some of the surface there does. It stays nearer: its edge lies over or under surface beyond, and the
+  //             fills of overlapping tiles lie near each other. Walls stand beside each other
   static bool MayLie(const Point3& planned, const Point3& p, bool faces_up);
 
   // Makes vertex v of the patch a free one.

@@ -200,7 +200,7 @@ class Untangler {
   bool IsWithinReach(const PatchChange& change) const { return !change.point || reach_.contains(*change.point); }
 
   bool StaysAtOutline(const PatchChange& change) const {
-    const bool faces_up = std::ranges::all_of(change.out, [&](int32_t t) { return edit_.FacesUp(t); });
+    const bool faces_up = std::ranges::any_of(change.out, [&](int32_t t) { return edit_.FacesUp(t); });
     return !change.point || !change.planned || FreeOutline::MayLie(*change.planned, *change.point, faces_up);
   }
 
