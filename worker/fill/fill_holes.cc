@@ -16,7 +16,6 @@
 #include "worker/fill/plane/plane_fill.h"
 #include "worker/fill/space/earlier_patches.h"
 #include "worker/fill/space/mend_crossings.h"
-#include "worker/fill/space/overfull_edges.h"
 #include "worker/fill/space/patch_creases.h"
 #include "worker/fill/space/patch_soundness.h"
 #include "worker/fill/space/rim_junctions.h"
@@ -116,7 +115,6 @@ class HoleFiller {
     if (!patch.ok() || options_.refine.cancelled()) return patch;
     if (way.check == Check::kFreely && GoesAstray(patch)) return {FillFailure::kNotApplicable};
     if (way.check == Check::kPublished && GoesFar(patch)) return {FillFailure::kGoesFar};
-    if (way.check == Check::kNothing) DivideOverfullEdges(hole_, patch);
     if (const FillFailure fault = FaultOf(hole_, patch); fault != FillFailure::kNone) return {fault};
     if (way.check != Check::kNothing && crossings_.Crosses(patch)) {
       return {way.check == Check::kPublished ? FillFailure::kPatchCrosses : FillFailure::kCrosses};

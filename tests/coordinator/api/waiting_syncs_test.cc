@@ -89,11 +89,11 @@ TEST_F(WaitingSyncsTest, LooksAtTheCallsOfOneWorker) {
   {
     const ClusterLock lock(cluster_.mutex);
     ends_ = "b";
-    waiting_.Look("a");
+    waiting_.TryCallsOf("a");
     EXPECT_TRUE(ended_.empty());
-    waiting_.Look("b");
+    waiting_.TryCallsOf("b");
     EXPECT_EQ(ended_, std::vector<std::string>{"b"});
-    waiting_.Look("b");  // which does not wait any more
+    waiting_.TryCallsOf("b");  // which does not wait any more
     EXPECT_EQ(ended_.size(), 1U);
     ended_.clear();
   }
