@@ -13,9 +13,9 @@ namespace tilemend {
 // What the user should know of the plan, one line each.
 std::vector<std::string> PlanWarnings(const Plan& plan);
 
-// kInvalidArgument if a reviewer's decisions were given and none of them is taken, as those of another scene (a decision
-// that changes nothing is no error), or if surface is taken out at the rim of an area that is not known: it would stay
-// open there.
+// kInvalidArgument if a reviewer's decisions were given and none of them is taken, as those of another scene (a
+// decision that changes nothing is no error), or if surface is taken out at the rim of an area that is not known: it
+// would stay open there.
 absl::Status CheckAreas(const Plan& plan);
 
 }  // namespace tilemend

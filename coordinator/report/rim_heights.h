@@ -8,7 +8,8 @@
 
 namespace tilemend {
 
-// Metres: the mean of the original vertices on the boundary; without any, of all vertices. Precondition: it has segments. Linear.
+// Metres: the mean of the original vertices on the boundary; without any, of all vertices. Precondition: it has
+// segments. Linear.
 double RimHeight(const Plan& plan, const PlannedHole& hole);
 
 // Metres, [lowest, highest]: of the original vertices on the boundary, and on those of the regions that tiles fill for

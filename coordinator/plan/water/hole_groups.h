@@ -51,8 +51,8 @@ std::vector<int32_t> RimVerticesOf(const Plan& plan, const std::vector<int32_t>&
 std::vector<PlaneSegment> BoundaryOf(const Plan& plan, const std::vector<int32_t>& holes);
 
 // For each hole of `plan` the group of holes of `whole`, a plan of the same grid, that covers more than half of it.
-// They must have holes in the same cell. If there is none, -1. Holes that can't be filled are parts of none, nor are those
-// that are in `whole` themselves without a group: they lie above or below.
+// They must have holes in the same cell. If there is none, -1. Holes that can't be filled are parts of none, nor are
+// those that are in `whole` themselves without a group: they lie above or below.
 //   group_of  for each hole of `whole`; -1: it is in none
 // Cost O(128 * segments) for each pair of holes that meet in a cell.
 std::vector<int32_t> GroupsCovering(const Plan& plan, const Plan& whole, const std::vector<int32_t>& group_of);
