@@ -37,10 +37,10 @@ FlagSpec VerboseFlag() { return {"verbose", "", "show the job, its phases and it
 
 std::vector<FlagSpec> LocalFlags() {
   return Join(
-      {{"workers", "N", "tasks at once, 1 to 1024 (default: the number of cores)", ""},
-       {"check", "", "compare the output with the scene, as `tilemend check` does; 100 if it is not accepted", ""},
+      {{"check", "", "compare the output with the scene, as `tilemend check` does; 100 if it is not accepted", ""},
        VerboseFlag()},
-      Advanced({{"task-memory", "MB", "memory that tasks take at once, 64 to 1e6; one alone may take more", "384"},
+      Advanced({{"workers", "N", "tasks at once, 1 to 1024 (default: the number of cores)", ""},
+                {"task-memory", "MB", "memory that tasks take at once, 64 to 1e6; one alone may take more", "384"},
                 {"work", "DIR", "folder for intermediate files (default: the system's temporary folder)", ""}}));
 }
 
