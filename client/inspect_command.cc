@@ -153,7 +153,7 @@ constexpr const char* kOnlyForScenes[] = {"area", "decisions", "propose-area", "
 // What is to be looked at, and how.
 struct Request {
   std::string path;
-  std::string area, propose_area, propose_water, holes;  // of the flags of these names, as below
+  std::string area, propose_area, propose_water, holes;  // values of the flags of these names
   bool overwrite = false;
   std::string water, clear, decisions;
   WaterProfile water_profile;

@@ -70,11 +70,11 @@ void JobMetrics::Started(const Job& job) { queue_seconds_->Observe(absl::ToDoubl
 void JobMetrics::Ended(const Job& job, const absl::Status& error) {
   if (ErrorReason(error) == "OUTPUT_CHANGED") output_mismatches_->Increment();
   CountProgress(job);
-  CountRestored(job);
+  CountEnd(job);
   counted_.erase(job.id);
 }
 
-void JobMetrics::CountRestored(const Job& job) {
+void JobMetrics::CountEnd(const Job& job) {
   if (!IsOver(job.state)) return;
   ended_[static_cast<size_t>(job.state)]->Increment();
   seconds_[static_cast<size_t>(job.state)]->Observe(absl::ToDoubleSeconds(job.ended - job.created));

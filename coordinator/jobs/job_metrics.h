@@ -33,8 +33,8 @@ class JobMetrics {
 
   void Started(const Job& job);
   void Ended(const Job& job, const absl::Status& error);
-  // Counts a job that ended in an earlier process. No effect for one that is not over.
-  void CountRestored(const Job& job);
+  // Counts how a job ended, here or in an earlier process. No effect for one that is not over.
+  void CountEnd(const Job& job);
 
   // Sets the gauges: O(jobs that run).
   void Show(const CoordinatorState& state, absl::Time now);

@@ -55,7 +55,7 @@ absl::Status JobRestorer::RestoreJob(JobRecord record) {
   entry.origin = std::move(told.origin);
   entry.outcome = std::move(told.outcome);
   entry.error = std::move(told.error);
-  if (record.over) cluster_.job_metrics.CountRestored(*cluster_.state.FindJob(id));
+  if (record.over) cluster_.job_metrics.CountEnd(*cluster_.state.FindJob(id));
   if (record.over && record.released) return absl::OkStatus();
   const auto mode = record.over ? JobRunner::Mode::kRelease : JobRunner::Mode::kResume;
   if (!record.over) {

@@ -24,7 +24,7 @@ class JobMetricsTest : public KnownJobsTest {
 TEST_F(JobMetricsTest, CountsJobsOfEarlierProcesses) {
   const Job& job = NewJob("j");
   ASSERT_TRUE(state_.Apply(JobFinished{"j", JobState::kFailed, start_ + absl::Seconds(9)}).ok());
-  metrics_.CountRestored(job);
+  metrics_.CountEnd(job);
   ExpectLine("jobs_ended_total{state=\"failed\"} 1");
 }
 
