@@ -3,44 +3,32 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "client/acceptance_input.h"
 #include "client/acceptance_kinds.h"
 #include "client/area_rim.h"
 #include "client/carried_files.h"
-#include "client/checked_tile.h"
 #include "client/coarser_levels.h"
+#include "client/compared_tile.h"
 #include "client/fill_owners.h"
 #include "client/hole_numbers.h"
 #include "client/left_holes.h"
 #include "client/lost_fills.h"
 #include "client/original_rims.h"
 #include "client/output_tiles.h"
-#include "client/reported_output.h"
 #include "client/tile_placement.h"
-#include "client/unfinished.h"
 #include "client/water_seams.h"
-#include "common/grid/cell_choice.h"
-#include "common/grid/delivery_paths.h"
-#include "common/util/files.h"
-#include "common/util/folders.h"
 #include "common/util/status_macros.h"
-#include "coordinator/report/area_choice.h"
-#include "coordinator/report/json_access.h"
-#include "coordinator/report/shallow_json.h"
-#include "coordinator/report/tile_checks.h"
 #include "worker/check/added_faults.h"
 #include "worker/check/fill_pieces.h"
 #include "worker/check/tile_joins.h"
 
 namespace tilemend {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double kMostApart = 0.02;   // metres between fills of overlapping tiles,
 constexpr double kShareApart = 0.01;  // but for this share of the places of a border
@@ -59,21 +47,6 @@ struct BorderTally {
   int64_t places = 0;
   std::vector<AcceptancePlace> apart;
 };
-
-struct CheckInput {
-  Scene scene;  // the input's, with its area
-  std::string out;
-  Json report;
-  std::set<CellId> chosen;
-  bool has_area = true;  // false: the area of the job could not be read
-};
-
-ReportedOutput ReadOutput(const CheckInput& input) {
-  ReportedOutput reported = ReadReported(input.report);
-  const auto text = ReadFile(absl::StrCat(input.out, "/holes.geojson"));
-  if (text.ok()) AddRims(ParseShallow(*text), input.scene.origin.head<2>(), reported);
-  return reported;
-}
 
 // What of the surface lies within twice the overlap of the cell's sides, or beyond them.
 BorderStrip StripOf(const Grid& grid, CellId cell, double overlap, const TriMesh& mesh,
@@ -96,11 +69,23 @@ BorderStrip StripOf(const Grid& grid, CellId cell, double overlap, const TriMesh
   return {std::move(triangles), std::move(is_inner)};
 }
 
+constexpr std::pair<AddedFault, AcceptanceKind> kFaults[] = {
+    {AddedFault::kCrossedFill, kCrossedFill}, {AddedFault::kCrossedSurface, kCrossedSurface},
+    {AddedFault::kCrossedRim, kCrossedRim},   {AddedFault::kNonManifoldEdge, kNonManifoldEdge},
+    {AddedFault::kTurnedEdge, kTurnedEdge},   {AddedFault::kFlatTriangle, kFlatTriangle}};
+
+std::vector<bool> NoneOf(const TriMesh& mesh) { return std::vector<bool>(mesh.triangles.size(), false); }
+
+Point3 MiddleOf(const TriMesh& mesh, int32_t t) {
+  const Triangle& corners = mesh.triangles[t];
+  return (mesh.points[corners[0]] + mesh.points[corners[1]] + mesh.points[corners[2]]) / 3;
+}
+
 class AcceptanceCheck {
  public:
-  explicit AcceptanceCheck(CheckInput input)
+  explicit AcceptanceCheck(AcceptanceInput input)
       : input_(std::move(input)),
-        reported_(ReadOutput(input_)),
+        reported_(ReportedOf(input_)),
         rim_(input_.scene, reported_.overlap),
         left_(reported_.left),
         lost_(reported_.filled_rims),
@@ -141,39 +126,53 @@ class AcceptanceCheck {
 
   absl::Status CheckTile(int32_t t) {
     const SceneTile& tile = input_.scene.tiles[t];
-    const std::string output = OutputPath(tile);
-    const bool has_output = KindOf(absl::StrCat(input_.out, "/", output)) == PathKind::kFile;
+    TILEMEND_ASSIGN_OR_RETURN(const ComparedTile pair, ReadComparedTile(input_.scene, tile, input_.out));
+    const bool has_output = pair.after || !pair.damage.empty();
     if (tile.path.empty() && !has_output) return absl::OkStatus();
-    CheckedTile before;
-    if (!tile.path.empty()) {
-      TILEMEND_ASSIGN_OR_RETURN(before, ReadCheckedTile(input_.scene.root, tile.path, tile.frame));
-    }
+    const TriMesh& original = pair.before.faces.mesh;
     const bool is_chosen = input_.chosen.empty() || input_.chosen.contains(tile.cell);
     if (has_output || is_chosen) {
       ++result_.tiles;
-      result_.original_faces += std::ssize(before.faces.mesh.triangles);
+      result_.original_faces += std::ssize(original.triangles);
     } else {
       ++result_.cells_left_out;
     }
-    if (!has_output) {
+    if (!pair.damage.empty()) Add(kDamagedTile, tile.cell, std::nullopt, pair.damage);
+    if (pair.after) {
+      CheckPair(t, pair);
+    } else {
       // A cell that the job was not to write, else a tile that is missing: to its neighbours it is what it was.
-      CheckFaces(t, before.faces.mesh, before.faces.mesh, TileChange{{}, NoneOf(before.faces.mesh), 0});
-      return absl::OkStatus();
+      CheckFaces(t, original, original, TileChange{{}, NoneOf(original), 0});
     }
-    TILEMEND_ASSIGN_OR_RETURN(CheckedTile after, ReadCheckedTile(input_.out, output, tile.frame));
+    return absl::OkStatus();
+  }
+
+  void CheckPair(int32_t t, const ComparedTile& pair) {
+    const SceneTile& tile = input_.scene.tiles[t];
+    const CheckedTile &before = pair.before, &after = *pair.after;
     const TileChange change = CompareTiles(before.faces, after.faces);
     CheckOriginals(tile.cell, before.faces.mesh, change);
     CheckFaces(t, before.faces.mesh, after.faces.mesh, change);
     CheckArea(tile.cell, after.faces.mesh, change.added);
     CheckWater(tile.cell, after.faces.mesh, change.added);
     CheckLevels(tile.cell, before, after, change);
-    if (!NamesTheSame(before, after)) Add(kChangedFile, tile.cell, std::nullopt, output + ": names other files");
-    if (!reported_.has_textures) return absl::OkStatus();
+    CheckNames(tile, pair);
+  }
+
+  // The material files and images. Fills add one at most; where a tile was converted, one for each of their colours.
+  void CheckNames(const SceneTile& tile, const ComparedTile& pair) {
+    const CheckedTile &before = pair.before, &after = *pair.after;
+    const std::string output = OutputPath(tile);
+    const size_t most_new = tile.delivered.empty() ? 1 : after.named.size();
+    if (!NamesTheSame(before, after, most_new)) {
+      Add(kChangedFile, tile.cell, std::nullopt, output + ": names other files");
+    }
+    if (!reported_.has_textures) return;
     files_.Compare(before.files);
+    for (const DeliveryFile& file : pair.beside) files_.Compare(file.name, file.bytes, file.name.ends_with(".mtl"));
     for (const std::string& name : NewMissingNames(before, after)) {
       Add(kMissingFile, tile.cell, std::nullopt, absl::StrCat(name, " of ", output));
     }
-    return absl::OkStatus();
   }
 
   // The levels of detail: originals are there, but for what clearing takes out of each level.
@@ -194,8 +193,6 @@ class AcceptanceCheck {
     levels_.Add(cell, levels, is_cleared);
   }
 
-  static std::vector<bool> NoneOf(const TriMesh& mesh) { return std::vector<bool>(mesh.triangles.size(), false); }
-
   void CheckOriginals(CellId cell, const TriMesh& before, const TileChange& change) {
     result_.added_faces += change.added_count;
     const auto cleared = reported_.cleared.find(cell);
@@ -213,16 +210,7 @@ class AcceptanceCheck {
     for (const int32_t t : change.missing) Add(kMissingFace, cell, MiddleOf(before, t));
   }
 
-  static Point3 MiddleOf(const TriMesh& mesh, int32_t t) {
-    const Triangle& corners = mesh.triangles[t];
-    return (mesh.points[corners[0]] + mesh.points[corners[1]] + mesh.points[corners[2]]) / 3;
-  }
-
   void CheckFaces(int32_t t, const TriMesh& before, const TriMesh& after, const TileChange& change) {
-    constexpr std::pair<AddedFault, AcceptanceKind> kFaults[] = {
-        {AddedFault::kCrossedFill, kCrossedFill}, {AddedFault::kCrossedSurface, kCrossedSurface},
-        {AddedFault::kCrossedRim, kCrossedRim},   {AddedFault::kNonManifoldEdge, kNonManifoldEdge},
-        {AddedFault::kTurnedEdge, kTurnedEdge},   {AddedFault::kFlatTriangle, kFlatTriangle}};
     const CellId cell = input_.scene.tiles[t].cell;
     AddedFindings found = FindAddedFaults(before, after, change);
     FillOwners owners(numbers_, cell, after, change.added);
@@ -291,7 +279,9 @@ class AcceptanceCheck {
         AddEdge(kTurnedEdge, e, "between tiles");
       }
     }
-    for (const NewOpenEdge& e : released.open) JudgeOpenEdge(e);
+    for (const NewOpenEdge& e : released.open) {
+      if (!MayBeOpen(e)) AddEdge(kOpenEdge, e);
+    }
     for (const NewOpenEdge& e : released.rims) {
       const bool is_at_rim = lost_.IsAtRim(e.edge.from, e.edge.to);
       if (is_at_rim && (e.edge.after != 1 || !MayBeOpen(e))) lost_.Add(e);
@@ -301,10 +291,6 @@ class AcceptanceCheck {
     }
     originals_.ForgetBelow(row - 1);
     std::erase_if(strips_, [&](const auto& kept) { return kept.second.cell.row < row - 1; });
-  }
-
-  void JudgeOpenEdge(const NewOpenEdge& open) {
-    if (!MayBeOpen(open)) AddEdge(kOpenEdge, open);
   }
 
   // An edge without a new triangle may be one of a hole's boundary.
@@ -379,7 +365,7 @@ class AcceptanceCheck {
       Add(kLeftHole, left.cell, left.at, left.reason, left.hole >= 0 ? std::optional(left.hole) : std::nullopt);
   }
 
-  const CheckInput input_;
+  const AcceptanceInput input_;
   const ReportedOutput reported_;
   const AreaRim rim_;
   const LeftHoles left_;
@@ -396,33 +382,6 @@ class AcceptanceCheck {
   Acceptance result_;
 };
 
-absl::StatusOr<CheckInput> LoadInput(const std::string& in, const std::string& out,
-                                     std::vector<std::string>& warnings) {
-  const std::string report_path = absl::StrCat(out, "/report.json");
-  TILEMEND_RETURN_IF_ERROR(CheckHasReport(out, in));
-  TILEMEND_ASSIGN_OR_RETURN(const std::string text, ReadFile(report_path));
-  CheckInput input;
-  input.out = out;
-  input.report = ParseShallow(text);
-  if (!input.report.is_object() || !input.report.contains("cells")) {
-    return absl::InvalidArgumentError(absl::StrCat(report_path, ": not a report (expected an object with cells)"));
-  }
-  TILEMEND_ASSIGN_OR_RETURN(input.scene, LoadScene(in, ReadTileHull, ReadTilesets));
-  const Json& options = Member(input.report, "options");
-  const std::string format = Text(Member(options, "output-format"));
-  TILEMEND_RETURN_IF_ERROR(SetDeliveryPaths(format, input.scene));
-  if (IsDelivered(input.scene)) {
-    return absl::InvalidArgumentError(absl::StrCat(
-        out, ": was written as ", format, ", and tiles are compared in one format only; run the job without ",
-        "--output-format, compare that, or look for faults in the output alone: tilemend check ", out));
-  }
-  const absl::Status area = ApplyAreaChoice(Text(Member(options, "area")), input.scene).status();
-  input.has_area = area.ok();
-  if (!area.ok()) warnings.push_back(absl::StrCat(std::string(area.message()), ": checked without the area"));
-  TILEMEND_ASSIGN_OR_RETURN(input.chosen, ChooseCells(Text(Member(options, "cells")), input.scene));
-  return input;
-}
-
 }  // namespace
 
 bool Acceptance::IsAccepted() const {
@@ -432,7 +391,7 @@ bool Acceptance::IsAccepted() const {
 
 absl::StatusOr<Acceptance> CheckAcceptance(const std::string& in, const std::string& out, const StepWatcher& watcher) {
   std::vector<std::string> warnings;
-  TILEMEND_ASSIGN_OR_RETURN(CheckInput input, LoadInput(in, out, warnings));
+  TILEMEND_ASSIGN_OR_RETURN(AcceptanceInput input, ReadAcceptanceInput(in, out, warnings));
   TILEMEND_ASSIGN_OR_RETURN(Acceptance result, AcceptanceCheck(std::move(input)).Run(watcher));
   result.warnings = std::move(warnings);
   return result;

@@ -8,6 +8,7 @@ namespace tilemend {
 
 enum AcceptanceKind {
   kMissingTile,
+  kDamagedTile,
   kMissingFace,
   kClearedFaces,
   kMissingFile,
@@ -37,6 +38,7 @@ struct AcceptanceKindText {
 };
 inline constexpr std::array<AcceptanceKindText, kAcceptanceKindCount> kAcceptanceKinds = {{
     {"missing_tiles", "missing tile", "missing tiles", true, false},
+    {"damaged_tiles", "tile that cannot be read", "tiles that cannot be read", true, false},
     {"missing_faces", "original face that is missing or changed", "original faces that are missing or changed", true,
      false},
     {"cleared_faces", "tile with more faces taken out than reported", "tiles with more faces taken out than reported",

@@ -10,13 +10,6 @@
 
 namespace tilemend {
 
-CarriedState CompareFiles(const std::string& in, const std::string& out, bool may_be_longer) {
-  const auto before = ReadFile(in), after = ReadFile(out);
-  if (!before.ok() || !after.ok()) return CarriedState::kMissing;
-  const bool goes_on = after->starts_with(*before) && (may_be_longer || after->size() == before->size());
-  return goes_on ? CarriedState::kSame : CarriedState::kChanged;
-}
-
 bool DefinesAgain(const std::string& before, const std::string& after) {
   if (after.size() == before.size()) return false;
   std::map<std::string, int64_t> more;  // of definitions in `after`
@@ -29,20 +22,29 @@ bool DefinesAgain(const std::string& before, const std::string& after) {
 }
 
 void CarriedFiles::Compare(const TileFiles& files) {
-  for (const std::string& path : files.libraries) CompareOne(path, true);
-  for (const std::string& path : files.images) CompareOne(path, false);
+  for (const auto* paths : {&files.libraries, &files.images}) {
+    for (const std::string& path : *paths) {
+      if (seen_.contains(path)) continue;
+      const auto before = ReadFile(absl::StrCat(in_, "/", path));
+      if (before.ok()) {
+        Compare(path, *before, paths == &files.libraries);
+      } else {
+        seen_.insert(path);
+        missing_.push_back(path);
+      }
+    }
+  }
 }
 
-void CarriedFiles::CompareOne(const std::string& path, bool is_library) {
+void CarriedFiles::Compare(const std::string& path, const std::string& bytes, bool is_library) {
   if (!seen_.insert(path).second) return;
-  const std::string in = absl::StrCat(in_, "/", path), out = absl::StrCat(out_, "/", path);
-  CarriedState state = CompareFiles(in, out, is_library);
-  if (state == CarriedState::kSame && is_library) {
-    const auto before = ReadFile(in), after = ReadFile(out);
-    if (before.ok() && after.ok() && DefinesAgain(*before, *after)) state = CarriedState::kChanged;
+  const auto after = ReadFile(absl::StrCat(out_, "/", path));
+  if (!after.ok()) {
+    missing_.push_back(path);
+    return;
   }
-  if (state == CarriedState::kMissing) missing_.push_back(path);
-  if (state == CarriedState::kChanged) changed_.push_back(path);
+  const bool may_differ = is_library && after->starts_with(bytes) && !DefinesAgain(bytes, *after);
+  if (*after != bytes && !may_differ) changed_.push_back(path);
 }
 
 }  // namespace tilemend

@@ -30,6 +30,29 @@ absl::StatusOr<CheckedTile> ReadTree(const std::string& pack, const std::string&
   return tile;
 }
 
+absl::StatusOr<CheckedTile> ParseObjTile(const std::string& bytes, const std::string& name, ObjTextures& textures) {
+  CheckedTile tile;
+  TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name, NoFaces::kAccept));
+  tile.faces.mesh = std::move(obj.file.mesh);
+  textures = std::move(obj.textures);
+  tile.faces.looks = ObjFaceLooks(textures, tile.faces.mesh.triangles);
+  tile.named = textures.libraries;
+  return tile;
+}
+
+absl::StatusOr<CheckedTile> ParseMeshTile(MeshFormat format, const std::string& bytes, const std::string& name) {
+  CheckedTile tile;
+  TILEMEND_ASSIGN_OR_RETURN(MeshFile file, ParseMesh(format, bytes, name, NoFaces::kAccept));
+  tile.faces.mesh = std::move(file.mesh);
+  if (format == MeshFormat::kPly) {
+    TILEMEND_ASSIGN_OR_RETURN(tile.faces.looks, PlyFaceLooks(bytes, name));
+    tile.named = PlyTextureNames(bytes);
+  } else {
+    tile.faces.looks.assign(tile.faces.mesh.triangles.size(), 0);
+  }
+  return tile;
+}
+
 void TakeLook(TileLook look, CheckedTile& tile) {
   for (const FileWitness::Lookup& lookup : look.witness.lookups) {
     bool& is_there = tile.is_there[lookup.name];
@@ -40,8 +63,8 @@ void TakeLook(TileLook look, CheckedTile& tile) {
 
 }  // namespace
 
-bool NamesTheSame(const CheckedTile& before, const CheckedTile& after) {
-  return after.named.size() >= before.named.size() && after.named.size() <= before.named.size() + 1 &&
+bool NamesTheSame(const CheckedTile& before, const CheckedTile& after, size_t most_new) {
+  return after.named.size() >= before.named.size() && after.named.size() <= before.named.size() + most_new &&
          std::equal(before.named.begin(), before.named.end(), after.named.begin());
 }
 
@@ -53,6 +76,13 @@ std::vector<std::string> NewMissingNames(const CheckedTile& before, const Checke
   return names;
 }
 
+absl::StatusOr<CheckedTile> ParseCheckedTile(const std::string& bytes, const std::string& name) {
+  TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(name));
+  if (format == MeshFormat::kTileTree) return ReadTree(bytes, name);
+  ObjTextures textures;
+  return format == MeshFormat::kObj ? ParseObjTile(bytes, name, textures) : ParseMeshTile(format, bytes, name);
+}
+
 absl::StatusOr<CheckedTile> ReadCheckedTile(const std::string& root, const std::string& path, const TileFrame& frame) {
   const std::string name = absl::StrCat(root, "/", path);
   TILEMEND_ASSIGN_OR_RETURN(const MeshFormat format, MeshFormatOf(name));
@@ -60,23 +90,16 @@ absl::StatusOr<CheckedTile> ReadCheckedTile(const std::string& root, const std::
   if (format == MeshFormat::kTileTree) return ReadTree(bytes, name);
   CheckedTile tile;
   if (format == MeshFormat::kObj) {
-    TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name, NoFaces::kAccept));
-    tile.faces.mesh = std::move(obj.file.mesh);
-    tile.faces.looks = ObjFaceLooks(obj.textures, tile.faces.mesh.triangles);
-    TILEMEND_ASSIGN_OR_RETURN(TileLook look, ReadObjLook(root, path, obj.textures));
+    ObjTextures textures;
+    TILEMEND_ASSIGN_OR_RETURN(tile, ParseObjTile(bytes, name, textures));
+    TILEMEND_ASSIGN_OR_RETURN(TileLook look, ReadObjLook(root, path, textures));
     TakeLook(std::move(look), tile);
-    tile.named = std::move(obj.textures.libraries);
     return tile;
   }
-  TILEMEND_ASSIGN_OR_RETURN(MeshFile file, ParseMesh(format, bytes, name, NoFaces::kAccept));
-  tile.faces.mesh = std::move(file.mesh);
+  TILEMEND_ASSIGN_OR_RETURN(tile, ParseMeshTile(format, bytes, name));
   if (format == MeshFormat::kPly) {
-    TILEMEND_ASSIGN_OR_RETURN(tile.faces.looks, PlyFaceLooks(bytes, name));
     TILEMEND_ASSIGN_OR_RETURN(TileLook look, ReadPlyLook(root, path, bytes));
     TakeLook(std::move(look), tile);
-    tile.named = PlyTextureNames(bytes);
-  } else {
-    tile.faces.looks.assign(tile.faces.mesh.triangles.size(), 0);
   }
   return tile;
 }

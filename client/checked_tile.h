@@ -2,6 +2,7 @@
 #ifndef TILEMEND_CLIENT_CHECKED_TILE_H_
 #define TILEMEND_CLIENT_CHECKED_TILE_H_
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -22,13 +23,17 @@ struct CheckedTile {
   std::vector<LookedMesh> coarser;  // its other levels of detail, the coarsest first
 };
 
-// Whether `after`, the same tile in an output, names what it named `before`, and then one material file more at most.
-bool NamesTheSame(const CheckedTile& before, const CheckedTile& after);
+// Whether `after`, the same tile in an output, names what it named `before`, and then `most_new` files more at most.
+bool NamesTheSame(const CheckedTile& before, const CheckedTile& after, size_t most_new);
 
 // The names that `before` does not have, and of which there is no file.
 std::vector<std::string> NewMissingNames(const CheckedTile& before, const CheckedTile& after);
 
-// Reads the tile `path` of the scene or output `root`. The one place that knows formats of tiles. Errors of ParseMesh.
+// A tile by its bytes (those of ReadTileBytes). Files that it names are not looked at: `files` and `is_there` stay
+// empty. The one place that knows formats of tiles. Errors of ParseMesh. Linear.
+absl::StatusOr<CheckedTile> ParseCheckedTile(const std::string& bytes, const std::string& name);
+
+// Reads the tile `path` of the scene or output `root`, and looks for the files that it names. Errors of ParseMesh.
 // Linear in the file.
 absl::StatusOr<CheckedTile> ReadCheckedTile(const std::string& root, const std::string& path,
                                             const TileFrame& frame = {});

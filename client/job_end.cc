@@ -48,8 +48,7 @@ std::string CheckLine(const std::string& scene, const std::string& out) {
 
 bool CanBeChecked(const v1::Job& job) {
   const v1::JobSpec& spec = job.spec();
-  const bool keeps_format = spec.output_format().empty() || spec.output_format() == "same";
-  return (job.state() == v1::DONE || job.state() == v1::PARTIAL) && !spec.dry_run() && keeps_format;
+  return (job.state() == v1::DONE || job.state() == v1::PARTIAL) && !spec.dry_run();
 }
 
 absl::StatusOr<Json> ReportOf(const v1::Job& job) {

@@ -14,7 +14,7 @@ namespace tilemend {
 // "check: tilemend check SCENE OUT" with a line's end: the command that compares the output with its scene.
 std::string CheckLine(const std::string& scene, const std::string& out);
 
-// Whether the job ended with an output that `tilemend check` can compare: in the format of the scene.
+// Whether the job ended with an output that `tilemend check` can compare.
 bool CanBeChecked(const v1::Job& job);
 
 // The report at the job's path, on this machine. Errors of ReadFile; kInvalidArgument if that is no report.

@@ -13,11 +13,13 @@
 #include "absl/strings/str_cat.h"
 #include "common/codec/tiles3d/bounding_volume.h"
 #include "common/codec/tiles3d/tileset.h"
+#include "common/grid/delivery_paths.h"
 #include "common/grid/scene_sources.h"
 #include "common/records/output_names.h"
 #include "common/util/files.h"
 #include "common/util/folders.h"
 #include "common/util/tile_files.h"
+#include "coordinator/jobs/delivery_entry.h"
 
 namespace tilemend {
 namespace {
@@ -163,6 +165,19 @@ void CompareTilesets(const std::string& in, const std::string& out, const std::s
   }
 }
 
+// Without the area of the job, the text of scene.json and the places of cells are not known.
+std::vector<std::string> ChangedDelivery(const Scene& scene, const std::string& out, bool has_area) {
+  std::vector<std::string> notes;
+  const auto texts = DeliveryTexts(scene, out);
+  if (!texts.ok()) return {std::string(texts.status().message())};
+  for (const auto& [name, text] : *texts) {
+    if (!has_area && name != kMetadataFile) continue;
+    const auto after = ReadFileUpTo(absl::StrCat(out, "/", name), kMostPlacingBytes);
+    if (!after.ok() || *after != text) notes.push_back(absl::StrCat(name, after.ok() ? ": changed" : ": missing"));
+  }
+  return notes;
+}
+
 }  // namespace
 
 std::string TilesetChange(const std::string& before, const std::string& after) {
@@ -179,6 +194,7 @@ std::string TilesetChange(const std::string& before, const std::string& after) {
 }
 
 std::vector<std::string> ChangedPlacement(const Scene& scene, const std::string& out, bool has_area) {
+  if (IsDelivered(scene)) return ChangedDelivery(scene, out, has_area);
   std::vector<std::string> notes;
   const auto add = [&](const char* path, const std::string& change) {
     if (!change.empty()) notes.push_back(absl::StrCat(path, ": ", change));

@@ -152,7 +152,7 @@ RULES = {
     'worker/texture': rule(['common/util', 'common/mesh', 'common/image'], ['eigen'], pure=True),
 
     'worker/service': rule(
-        ['common/util', 'common/mesh', 'common/options', 'common/records', 'common/codec', 'common/codec/tree', 'common/store', 'common/metrics', 'common/rpc', 'worker/delivery', 'worker/papers', 'worker/survey', 'worker/ground',
+        ['common/util', 'common/mesh', 'common/options', 'common/records', 'common/codec', 'common/store', 'common/metrics', 'common/rpc', 'worker/delivery', 'worker/papers', 'worker/survey', 'worker/ground',
          'worker/fill/hole', 'worker/fill/shape', 'worker/fill/space', 'worker/fill/seam', 'worker/fill', 'worker/materials', 'worker/texture', 'common/image'],
         ['absl', 'eigen', 'grpc', 'protobuf']),
 
@@ -239,7 +239,7 @@ RULES = {
     # `tilemend run` holds a coordinator and a worker; it is the one place where the two meet.
     'client': rule(
         ['common/util', 'common/mesh', 'common/grid', 'common/gis', 'common/options', 'common/records', 'common/codec', 'common/codec/tiles3d', 'common/codec/tree', 'common/image', 'common/store', 'common/assemble', 'common/rpc', 'common/s3', 'worker/survey', 'worker/ground', 'worker/propose',
-         'worker/check', 'worker/materials', 'worker/service', 'client/mesh', 'coordinator/plan/rim', 'coordinator/waves', 'coordinator/report',
+         'worker/check', 'worker/delivery', 'worker/materials', 'worker/service', 'client/mesh', 'coordinator/plan/rim', 'coordinator/waves', 'coordinator/report',
          'coordinator/jobs', 'coordinator/api'],
         ['absl', 'eigen', 'grpc', 'json', 'protobuf']),
 }

@@ -24,8 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool HasLevels(std::string_view format) { return format == "osgb" || format == "3dtiles"; }
-
 // The coordinate of the grid that is the farthest from the origin, metres.
 double FarthestOf(const Scene& scene) {
   const Point2 far = scene.grid.corner + scene.grid.cell_size.cwiseProduct(Point2(scene.cols, scene.rows));
@@ -61,7 +59,8 @@ absl::Status Refusal(const SceneTile& tile, std::string_view to, const std::stri
 
 std::vector<std::string> LossesOf(std::string_view from, std::string_view to, const Scene& scene) {
   std::vector<std::string> losses;
-  if (HasLevels(from) && !HasLevels(to)) losses.push_back("the finest level of detail alone is written");
+  if (HasLevelsOfDetail(from) && !HasLevelsOfDetail(to))
+    losses.push_back("the finest level of detail alone is written");
   if (from == "obj") losses.push_back("of each material its image is written, or its diffuse colour");
   if (to == "osgb") {
     losses.push_back(

@@ -70,6 +70,8 @@ bool IsTileset(std::string_view path) {
 
 bool IsTileTree(std::string_view path) { return EndsIn(path, ".osgb") || IsTileset(path); }
 
+bool HasLevelsOfDetail(std::string_view format) { return format == "osgb" || format == "3dtiles"; }
+
 bool IsTreeFile(std::string_view path) { return IsTileTree(path) || EndsIn(path, ".b3dm") || EndsIn(path, ".glb"); }
 
 bool IsFileOfTree(std::string_view tile, std::string_view path) {

@@ -21,6 +21,9 @@ bool IsTileTree(std::string_view path);
 // Whether a tile at `path` is a tileset of 3D Tiles.
 bool IsTileset(std::string_view path);
 
+// Whether tiles of this format, one of those of --output-format, have levels of detail.
+bool HasLevelsOfDetail(std::string_view format);
+
 // Whether a file with this name may belong to a tree. No file of another kind does.
 bool IsTreeFile(std::string_view path);
 

@@ -100,6 +100,35 @@ absl::StatusOr<std::string> DeliveryEntry(const Scene& scene, const DeliveryPlac
 
 namespace {
 
+// The scene's own metadata.xml; else, for OSGB, which needs it, one like it; else "".
+absl::StatusOr<std::string> MetadataOf(const Scene& scene) {
+  const std::string from = absl::StrCat(scene.root, "/", kMetadataFile);
+  TILEMEND_ASSIGN_OR_RETURN(const PathKind kind, FindKind(from));
+  if (kind == PathKind::kFile) return ReadFile(from);
+  const bool is_osgb = std::any_of(scene.tiles.begin(), scene.tiles.end(),
+                                   [](const SceneTile& tile) { return DeliveryFormatOf(tile.delivered) == "osgb"; });
+  return is_osgb ? MetadataXml(scene) : "";
+}
+
+}  // namespace
+
+absl::StatusOr<std::map<std::string, std::string>> DeliveryTexts(const Scene& scene, const std::string& out) {
+  std::map<std::string, std::string> texts;
+  TILEMEND_ASSIGN_OR_RETURN(const DeliveryPlaces places, PlaceDelivery(scene));
+  TILEMEND_ASSIGN_OR_RETURN(Scene delivered, DeliveredScene(scene, out));
+  if (places.cells.empty()) {
+    TILEMEND_ASSIGN_OR_RETURN(std::string metadata, MetadataOf(scene));
+    if (!metadata.empty()) texts[kMetadataFile] = std::move(metadata);
+  } else {
+    TILEMEND_ASSIGN_OR_RETURN(texts[kEntryFile], DeliveryEntry(scene, places, out));
+    delivered.tileset = kEntryFile;
+  }
+  texts[kSceneFile] = SceneJson(delivered);
+  return texts;
+}
+
+namespace {
+
 // What says where a folder of photogrammetry tiles lies.
 absl::Status CarryMetadata(const Scene& scene, OutputFolder& output) {
   const std::string from = absl::StrCat(scene.root, "/", kMetadataFile);
@@ -110,17 +139,6 @@ absl::Status CarryMetadata(const Scene& scene, OutputFolder& output) {
   return CarryFile(from, absl::StrCat(output.path(), "/", kMetadataFile), Carry::kCopy);
 }
 
-// The same for delivered tiles; OSGB needs it, also where the scene has another source.
-absl::Status WriteMetadata(const Scene& scene, OutputFolder& output) {
-  const bool is_osgb = std::any_of(scene.tiles.begin(), scene.tiles.end(),
-                                   [](const SceneTile& tile) { return DeliveryFormatOf(tile.delivered) == "osgb"; });
-  if (!is_osgb || KindOf(absl::StrCat(scene.root, "/", kMetadataFile)) == PathKind::kFile) {
-    return CarryMetadata(scene, output);
-  }
-  output.files().Adopt({kMetadataFile});
-  return WriteFileAtomically(absl::StrCat(output.path(), "/", kMetadataFile), MetadataXml(scene));
-}
-
 // The tileset that names those of the tiles, with volumes that hold what they have now.
 absl::Status WriteTileset(const Scene& scene, OutputFolder& output) {
   if (scene.tileset.empty()) return absl::OkStatus();
@@ -129,20 +147,13 @@ absl::Status WriteTileset(const Scene& scene, OutputFolder& output) {
   return WriteFileAtomically(absl::StrCat(output.path(), "/", scene.tileset), text);
 }
 
-// The scene that the delivered tiles are, with the tileset of those that are 3D Tiles. That says where they lie on the
-// Earth, but not the cells, the area and the CRS.
 absl::Status WriteDelivery(const Scene& scene, OutputFolder& output) {
-  TILEMEND_ASSIGN_OR_RETURN(const DeliveryPlaces places, PlaceDelivery(scene));
-  TILEMEND_ASSIGN_OR_RETURN(Scene delivered, DeliveredScene(scene, output.path()));
-  if (places.cells.empty()) {
-    TILEMEND_RETURN_IF_ERROR(WriteMetadata(scene, output));
-  } else {
-    TILEMEND_ASSIGN_OR_RETURN(const std::string text, DeliveryEntry(scene, places, output.path()));
-    output.files().Adopt({kEntryFile});
-    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output.path(), "/", kEntryFile), text));
-    delivered.tileset = kEntryFile;
+  TILEMEND_ASSIGN_OR_RETURN(const auto texts, DeliveryTexts(scene, output.path()));
+  for (const auto& [name, text] : texts) {
+    output.files().Adopt({name});
+    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output.path(), "/", name), text));
   }
-  return WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile), SceneJson(delivered));
+  return absl::OkStatus();
 }
 
 }  // namespace

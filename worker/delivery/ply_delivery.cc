@@ -78,17 +78,21 @@ std::set<Position> RimOf(const DeliveryPiece& piece) {
 
 class PlyMaker {
  public:
-  PlyMaker(const DeliveryTile& tile, const std::string& stem)
-      : tile_(tile), stem_(stem), has_images_(!tile.images.empty()), has_marks_(IsAnyFilled(tile)) {}
+  PlyMaker(const DeliveryTile& tile, const std::string& stem, const PlyColumns& columns)
+      : tile_(tile),
+        stem_(stem),
+        has_images_(HasImages(tile, columns)),
+        has_marks_(IsAnyFilled(tile)),
+        is_narrow_(!columns.float64) {}
 
   absl::StatusOr<std::vector<DeliveryFile>> Make() {
     files_.push_back({stem_ + ".ply", ""});
-    for (const std::string& image : tile_.images) AddImage(image);
+    for (const bool is_filled : {false, true}) TILEMEND_RETURN_IF_ERROR(AddImagesOf(is_filled));
     for (const DeliveryPiece& piece : tile_.pieces) {
       ++piece_;
       if (tile_.pieces.size() > 1) rim_ = RimOf(piece);
       for (const DeliverySurface& surface : piece.surfaces) {
-        TILEMEND_ASSIGN_OR_RETURN(const int32_t image, ImageFor(surface));
+        const int32_t image = has_images_ ? images_.at(ImageOf(surface)) : -1;
         for (const Triangle& triangle : surface.mesh.triangles) AddFace(surface, triangle, image);
       }
     }
@@ -106,15 +110,30 @@ class PlyMaker {
     return number;
   }
 
-  // -1 if there are no images.
-  absl::StatusOr<int32_t> ImageFor(const DeliverySurface& surface) {
-    if (surface.image >= 0 || !has_images_) return surface.image;
-    const auto [at, is_new] = plain_.try_emplace(NumberOf(surface.colour), 0);
-    if (is_new) {
-      TILEMEND_ASSIGN_OR_RETURN(std::string bytes, PlainJpeg(surface.colour));
-      at->second = AddImage(std::move(bytes));
+  using ImageKey = std::pair<int32_t, uint32_t>;  // into DeliveryTile::images, or -1 and a colour
+
+  static ImageKey ImageOf(const DeliverySurface& surface) {
+    return {surface.image, surface.image < 0 ? NumberOf(surface.colour) : 0};
+  }
+
+  // Of filled surface, or the other.
+  absl::Status AddImagesOf(bool is_filled) {
+    if (!has_images_) return absl::OkStatus();
+    for (const DeliveryPiece& piece : tile_.pieces) {
+      for (const DeliverySurface& surface : piece.surfaces) {
+        if (surface.is_filled != is_filled) continue;
+        const auto [at, is_new] = images_.try_emplace(ImageOf(surface), 0);
+        if (!is_new) continue;
+        std::string bytes;
+        if (surface.image >= 0) {
+          bytes = tile_.images[static_cast<size_t>(surface.image)];
+        } else {
+          TILEMEND_ASSIGN_OR_RETURN(bytes, PlainJpeg(surface.colour));
+        }
+        at->second = AddImage(std::move(bytes));
+      }
     }
-    return at->second;
+    return absl::OkStatus();
   }
 
   void AddFace(const DeliverySurface& surface, const Triangle& triangle, int32_t image) {
@@ -197,21 +216,24 @@ class PlyMaker {
   const std::string& stem_;
   const bool has_images_, has_marks_;
   std::vector<DeliveryFile> files_;
-  std::map<uint32_t, int32_t> plain_;  // images of one colour
-  int32_t piece_ = -1;                 // that is written
-  std::set<Position> rim_;             // of it, where there are several
+  std::map<ImageKey, int32_t> images_;  // their numbers
+  int32_t piece_ = -1;                  // that is written
+  std::set<Position> rim_;              // of it, where there are several
   std::map<VertexKey, int32_t> numbers_;
   std::vector<Point3> points_;
   std::vector<Rgb> colours_;
-  bool is_narrow_ = true;
+  bool is_narrow_;  // float32 is enough
   std::string faces_;
   int64_t face_count_ = 0;
 };
 
 }  // namespace
 
-absl::StatusOr<std::vector<DeliveryFile>> PlyFilesOf(const DeliveryTile& tile, const std::string& stem) {
-  return PlyMaker(tile, stem).Make();
+bool HasImages(const DeliveryTile& tile, const PlyColumns& columns) { return columns.images || !tile.images.empty(); }
+
+absl::StatusOr<std::vector<DeliveryFile>> PlyFilesOf(const DeliveryTile& tile, const std::string& stem,
+                                                     const PlyColumns& columns) {
+  return PlyMaker(tile, stem, columns).Make();
 }
 
 }  // namespace tilemend

@@ -55,6 +55,32 @@ TEST(PlyDeliveryTest, FacesHaveImagesAndShareVertices) {
   EXPECT_EQ(face.substr(kFace - 4), std::string(4, '\0'));
 }
 
+// So that a tile without its fills has the same numbers.
+TEST(PlyDeliveryTest, ImagesOfFilledSurfaceAreTheLast) {
+  DeliveryTile tile = TwoSurfaces(0.5);
+  tile.images.insert(tile.images.begin(), "\x89PNG of the fill");
+  std::vector<DeliverySurface>& surfaces = tile.pieces[0].surfaces;
+  surfaces[0].image = 1;
+  surfaces.insert(surfaces.begin(), surfaces[0]);
+  surfaces[0].image = 0;
+  surfaces[0].is_filled = true;
+  const auto files = PlyFilesOf(tile, "a");
+  ASSERT_TRUE(files.ok()) << files.status();
+  EXPECT_THAT(PlyTextureNames(files->at(0).bytes), ElementsAre("a_0.jpg", "a_1.jpg", "a_2.png"));
+}
+
+TEST(PlyDeliveryTest, ColumnsThatFillsNeedAreThereWithoutThem) {
+  DeliveryTile tile = TwoSurfaces(0.5);
+  tile.images.clear();
+  tile.pieces[0].surfaces.erase(tile.pieces[0].surfaces.begin());
+  EXPECT_FALSE(HasImages(tile, {}));
+  const auto files = PlyFilesOf(tile, "a", {.images = true, .float64 = true});
+  ASSERT_TRUE(files.ok()) << files.status();
+  EXPECT_THAT(PlyTextureNames(files->at(0).bytes), ElementsAre("a_0.jpg"));
+  EXPECT_THAT(files->at(0).bytes, HasSubstr("property double x\n"));
+  EXPECT_EQ(ReadPly(files->at(0)).mesh.points.size(), 3U);
+}
+
 // As the originals have them: two vertices at one position, and one vertex twice.
 TEST(PlyDeliveryTest, FlatTrianglesAreWritten) {
   DeliveryTile tile;
