@@ -23,6 +23,7 @@
 #include "client/tile_placement.h"
 #include "client/water_seams.h"
 #include "common/util/status_macros.h"
+#include "common/util/tile_files.h"
 #include "worker/check/added_faults.h"
 #include "worker/check/fill_pieces.h"
 #include "worker/check/tile_joins.h"
@@ -79,6 +80,10 @@ std::vector<bool> NoneOf(const TriMesh& mesh) { return std::vector<bool>(mesh.tr
 Point3 MiddleOf(const TriMesh& mesh, int32_t t) {
   const Triangle& corners = mesh.triangles[t];
   return (mesh.points[corners[0]] + mesh.points[corners[1]] + mesh.points[corners[2]]) / 3;
+}
+
+bool IsBeside(const ComparedTile& tile, const std::string& path) {
+  return std::ranges::any_of(tile.beside, [&](const DeliveryFile& file) { return file.name == path; });
 }
 
 class AcceptanceCheck {
@@ -163,14 +168,13 @@ class AcceptanceCheck {
   void CheckNames(const SceneTile& tile, const ComparedTile& pair) {
     const CheckedTile &before = pair.before, &after = *pair.after;
     const std::string output = OutputPath(tile);
-    const size_t most_new = tile.delivered.empty() ? 1 : after.named.size();
-    if (!NamesTheSame(before, after, most_new)) {
-      Add(kChangedFile, tile.cell, std::nullopt, output + ": names other files");
-    }
-    if (!reported_.has_textures) return;
-    files_.Compare(before.files);
+    const bool is_same = NamesTheSame(before, after, tile.delivered.empty() ? 1 : after.named.size());
+    if (!is_same) Add(kChangedFile, tile.cell, std::nullopt, output + ": names other files");
     for (const DeliveryFile& file : pair.beside) files_.Compare(file.name, file.bytes, file.name.ends_with(".mtl"));
+    if (!reported_.has_textures && tile.delivered.empty()) return;
+    files_.Compare(before.files);
     for (const std::string& name : NewMissingNames(before, after)) {
+      if (IsBeside(pair, FileBesideTile(output, name))) continue;  // it was compared
       Add(kMissingFile, tile.cell, std::nullopt, absl::StrCat(name, " of ", output));
     }
   }

@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 void KeepFinest(std::vector<LevelCounts>& levels) {
   if (levels.empty()) return;
   LevelCounts finest = levels.back();
-  // It shows triangles of coarser ones where nothing replaces these.
+  // Where a coarser level has no finer one, its triangles are the finest.
   finest.removed = 0;
   for (const LevelCounts& level : levels) finest.removed += level.removed;
   levels = {finest};
@@ -42,11 +42,12 @@ absl::StatusOr<AcceptanceInput> ReadAcceptanceInput(const std::string& in, const
   }
   TILEMEND_ASSIGN_OR_RETURN(input.scene, LoadScene(in, ReadTileHull, ReadTilesets));
   const Json& options = Member(input.report, "options");
-  TILEMEND_RETURN_IF_ERROR(SetDeliveryPaths(Text(Member(options, "output-format")), input.scene));
-  if (IsDelivered(input.scene)) input.format = Text(Member(options, "output-format"));
   const absl::Status area = ApplyAreaChoice(Text(Member(options, "area")), input.scene).status();
   input.has_area = area.ok();
   if (!area.ok()) warnings.push_back(absl::StrCat(std::string(area.message()), ": checked without the area"));
+  // After the area, which may add cells.
+  TILEMEND_RETURN_IF_ERROR(SetDeliveryPaths(Text(Member(options, "output-format")), input.scene));
+  if (IsDelivered(input.scene)) input.format = Text(Member(options, "output-format"));
   TILEMEND_ASSIGN_OR_RETURN(input.chosen, ChooseCells(Text(Member(options, "cells")), input.scene));
   return input;
 }

@@ -120,7 +120,6 @@ void ApplyArea(const std::string& area, Scene& scene) {
 
 // The output in `folder` with this report, of a scene.
 CheckedScene OutputOf(Scene scene, const Json& report, const std::string& folder) {
-  ApplyArea(Text(Member(Member(report, "options"), "area")), scene);
   const std::set<CellId> chosen = ChosenCells(report, scene);
   CheckedScene checked{{}, LookForTiles(folder, report, scene, chosen)};
   scene.root = folder;
@@ -163,7 +162,10 @@ absl::StatusOr<CheckedScene> SceneAt(const std::string& path) {
                       ": checked without the scene that it was made from; tiles that are missing are not named")});
     return SceneWithItsArea(path);
   }
-  TILEMEND_RETURN_IF_ERROR(SetDeliveryPaths(Text(Member(Member(report, "options"), "output-format")), *scene));
+  const Json& options = Member(report, "options");
+  ApplyArea(Text(Member(options, "area")), *scene);
+  // After the area, which may add cells.
+  TILEMEND_RETURN_IF_ERROR(SetDeliveryPaths(Text(Member(options, "output-format")), *scene));
   return OutputOf(*std::move(scene), report, path);
 }
 

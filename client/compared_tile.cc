@@ -6,6 +6,7 @@
 #include "client/converted_tile.h"
 #include "common/grid/delivery_paths.h"
 #include "common/util/folders.h"
+#include "common/util/object_store.h"
 #include "common/util/status_macros.h"
 
 namespace tilemend {
@@ -25,11 +26,11 @@ absl::StatusOr<ComparedTile> ReadComparedTile(const Scene& scene, const SceneTil
   }
   if (KindOf(absl::StrCat(out, "/", path)) != PathKind::kFile) return pair;
   auto after = ReadCheckedTile(out, path, OutputFrame(tile));
-  if (absl::IsInvalidArgument(after.status()) || absl::IsNotFound(after.status())) {
+  if (IsStoreError(out, after.status())) return after.status();
+  if (!after.ok()) {
     pair.damage = std::string(after.status().message());
     return pair;
   }
-  TILEMEND_RETURN_IF_ERROR(after.status());
   Restore(exact, *after);
   pair.after = *std::move(after);
   return pair;

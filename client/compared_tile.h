@@ -20,8 +20,8 @@ struct ComparedTile {
   std::vector<DeliveryFile> beside;  // of a tile that was converted: as of ConvertedTile
 };
 
-// Reads a tile of `scene` and of the output `out`. An output tile that is no mesh of its format, or lacks a file of its
-// tree, is damage. Other errors of ReadCheckedTile and ConvertTile are returned. Linear in the files.
+// Reads a tile of `scene` and of the output `out`. An output tile that cannot be read is damage, but where the
+// store of objects is at fault. Other errors of ReadCheckedTile and ConvertTile are returned. Linear in the files.
 absl::StatusOr<ComparedTile> ReadComparedTile(const Scene& scene, const SceneTile& tile, const std::string& out);
 
 }  // namespace tilemend

@@ -21,13 +21,14 @@ std::array<uint64_t, 3> BitsOf(const Point3& p) {
   return bits;
 }
 
-// What the fills of the tile made necessary.
-PlyColumns ColumnsOf(const std::string& path) {
-  const auto bytes = ReadFile(path);
-  if (!bytes.ok()) return {};
-  const auto header = ParsePlyHeader(*bytes, path);
-  if (!header.ok()) return {};
+// Those of the output's file, whose fills may need more than the tile does. None of a file that is not there or
+// damaged.
+absl::StatusOr<PlyColumns> ColumnsOf(const std::string& path) {
   PlyColumns columns;
+  const auto bytes = ReadFile(path);
+  if (!bytes.ok()) return absl::IsNotFound(bytes.status()) ? absl::StatusOr<PlyColumns>(columns) : bytes.status();
+  const auto header = ParsePlyHeader(*bytes, path);
+  if (!header.ok()) return columns;
   columns.float64 = header->elements[header->vertex].properties[header->xyz[0]].type == PlyType::kFloat64;
   for (const PlyProperty& property : header->elements[header->face].properties) {
     columns.images = columns.images || property.name == "texnumber";
@@ -35,13 +36,15 @@ PlyColumns ColumnsOf(const std::string& path) {
   return columns;
 }
 
-DeliveryTarget TargetOf(const Scene& scene, const SceneTile& tile, const std::string& out) {
+absl::StatusOr<DeliveryTarget> TargetOf(const Scene& scene, const SceneTile& tile, const std::string& out) {
   const Point2 middle =
       scene.grid.corner + scene.grid.cell_size.cwiseProduct(Point2(tile.cell.col + 0.5, tile.cell.row + 0.5));
   DeliveryTarget target{.format = std::string(DeliveryFormatOf(tile.delivered)),
                         .stem = std::filesystem::path(tile.delivered).stem().string(),
                         .origin = DeliveryOrigin(tile.path, middle)};
-  if (target.format == "ply") target.ply = ColumnsOf(absl::StrCat(out, "/", tile.delivered));
+  if (target.format == "ply") {
+    TILEMEND_ASSIGN_OR_RETURN(target.ply, ColumnsOf(absl::StrCat(out, "/", tile.delivered)));
+  }
   return target;
 }
 
@@ -78,7 +81,7 @@ void RestoreMesh(const ExactPositions& exact, TriMesh& mesh) {
 }  // namespace
 
 absl::StatusOr<ConvertedTile> ConvertTile(const Scene& scene, const SceneTile& tile, const std::string& out) {
-  const DeliveryTarget target = TargetOf(scene, tile, out);
+  TILEMEND_ASSIGN_OR_RETURN(const DeliveryTarget target, TargetOf(scene, tile, out));
   TILEMEND_ASSIGN_OR_RETURN(const std::string bytes,
                             ReadTileBytes(absl::StrCat(scene.root, "/", tile.path), tile.frame));
   TILEMEND_ASSIGN_OR_RETURN(DeliveryTile delivery, DeliveryOf(bytes, {scene.root, tile.path, {}, ""}, target.format));

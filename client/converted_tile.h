@@ -15,7 +15,8 @@
 
 namespace tilemend {
 
-// Positions that were rounded, by their bits, and what they were before. Two that become one are the lower one.
+// What positions were before they were rounded, by the bits of the rounded ones. Of two that were rounded to one, the
+// lower one counts.
 using ExactPositions = std::map<std::array<uint64_t, 3>, std::array<double, 3>>;
 
 struct ConvertedTile {

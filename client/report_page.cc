@@ -17,6 +17,7 @@
 #include "common/util/files.h"
 #include "common/util/object_store.h"
 #include "common/util/status_macros.h"
+#include "coordinator/report/area_choice.h"
 #include "coordinator/report/json_access.h"
 #include "coordinator/report/page_review.h"
 #include "coordinator/report/shallow_json.h"
@@ -76,8 +77,12 @@ absl::Status WriteReportPage(const std::string& out) {
     return absl::InvalidArgumentError(absl::StrCat(report_path, ": not a report (expected an object with cells)"));
   }
   auto scene = LoadScene(Text(Member(report, "scene")), ReadTileHull, ReadTilesets);
-  const std::string format = Text(Member(Member(report, "options"), "output-format"));
-  if (scene.ok()) TILEMEND_RETURN_IF_ERROR(SetDeliveryPaths(format, *scene));
+  const Json& options = Member(report, "options");
+  if (scene.ok()) {
+    // Cells count from where the area begins. Without its file there are fewer pictures.
+    ApplyAreaChoice(Text(Member(options, "area")), *scene).IgnoreError();
+    TILEMEND_RETURN_IF_ERROR(SetDeliveryPaths(Text(Member(options, "output-format")), *scene));
+  }
   PagePictures pictures;
   if (scene.ok()) {
     pictures = MakePagePictures(report, *scene, out);

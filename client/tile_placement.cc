@@ -165,16 +165,46 @@ void CompareTilesets(const std::string& in, const std::string& out, const std::s
   }
 }
 
-// Without the area of the job, the text of scene.json and the places of cells are not known.
+// Whether two texts are the same JSON but for rounding of numbers.
+bool IsSameJson(const nlohmann::json& a, const nlohmann::json& b) {
+  if (a.is_number() && b.is_number()) return IsNear(a.get<double>(), b.get<double>());
+  if (a.type() != b.type() || a.size() != b.size()) return false;
+  if (a.is_array()) return std::equal(a.begin(), a.end(), b.begin(), IsSameJson);
+  if (!a.is_object()) return a == b;
+  return std::all_of(a.items().begin(), a.items().end(), [&](const auto& member) {
+    const auto other = b.find(member.key());
+    return other != b.end() && IsSameJson(member.value(), *other);
+  });
+}
+
+std::string EntryChange(const Scene& scene, const std::string& out, bool has_area) {
+  const auto after = ReadFileUpTo(absl::StrCat(out, "/", kEntryFile), kMostPlacingBytes);
+  if (!after.ok()) return "missing";
+  const auto places = PlaceDelivery(scene);
+  if (!has_area || !places.ok()) return "";  // the places of cells are not known
+  const auto before = DeliveryEntry(scene, *places, out);
+  if (!before.ok()) return "";  // a tile is missing or damaged, which is found where tiles are compared
+  const nlohmann::json is = nlohmann::json::parse(*after, nullptr, false);
+  return IsSameJson(nlohmann::json::parse(*before), is) ? "" : "changed";
+}
+
+// Of an output in another format.
 std::vector<std::string> ChangedDelivery(const Scene& scene, const std::string& out, bool has_area) {
   std::vector<std::string> notes;
-  const auto texts = DeliveryTexts(scene, out);
-  if (!texts.ok()) return {std::string(texts.status().message())};
-  for (const auto& [name, text] : *texts) {
-    if (!has_area && name != kMetadataFile) continue;
-    const auto after = ReadFileUpTo(absl::StrCat(out, "/", name), kMostPlacingBytes);
-    if (!after.ok() || *after != text) notes.push_back(absl::StrCat(name, after.ok() ? ": changed" : ": missing"));
+  const auto add = [&](const char* path, const std::string& change) {
+    if (!change.empty()) notes.push_back(absl::StrCat(path, ": ", change));
+  };
+  const auto delivered = DeliveredScene(scene, out);
+  add(kSceneFile, delivered.ok() ? SceneChange(*delivered, out, has_area) : std::string(delivered.status().message()));
+  const bool is_tileset = std::ranges::any_of(scene.tiles, [](const SceneTile& t) { return IsTileset(t.delivered); });
+  if (is_tileset) {
+    add(kEntryFile, EntryChange(scene, out, has_area));
+    return notes;
   }
+  const auto before = MetadataOf(scene);
+  if (!before.ok() || before->empty()) return notes;
+  const auto after = ReadFileUpTo(absl::StrCat(out, "/", kMetadataFile), kMostPlacingBytes);
+  if (!after.ok() || *after != *before) add(kMetadataFile, after.ok() ? "changed" : "missing");
   return notes;
 }
 

@@ -13,7 +13,7 @@ namespace tilemend {
 //   metadata.xml is the same file;
 //   scene.json has the CRS, the origin, the grid and the tiles of the scene;
 //   tilesets differ in bounding volumes alone, and these hold those of the scene;
-//   of an output in another format, they are what DeliveryTexts (coordinator/jobs/delivery_entry.h) makes of the scene.
+//   in another format, tileset.json and metadata.xml are those of coordinator/jobs/delivery_entry.h.
 // Without `has_area`, the area of the job is not in the scene, and grid and tiles are not compared. Tilesets of tiles
 // that the output does not have are left out. Returns a note for each file that is missing or differs, which begins
 // with its path. Linear in the files, of which those of one tileset are in memory.

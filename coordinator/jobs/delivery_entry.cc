@@ -98,9 +98,6 @@ absl::StatusOr<std::string> DeliveryEntry(const Scene& scene, const DeliveryPlac
   return NewEntry(out, parts, places.root);
 }
 
-namespace {
-
-// The scene's own metadata.xml; else, for OSGB, which needs it, one like it; else "".
 absl::StatusOr<std::string> MetadataOf(const Scene& scene) {
   const std::string from = absl::StrCat(scene.root, "/", kMetadataFile);
   TILEMEND_ASSIGN_OR_RETURN(const PathKind kind, FindKind(from));
@@ -108,23 +105,6 @@ absl::StatusOr<std::string> MetadataOf(const Scene& scene) {
   const bool is_osgb = std::any_of(scene.tiles.begin(), scene.tiles.end(),
                                    [](const SceneTile& tile) { return DeliveryFormatOf(tile.delivered) == "osgb"; });
   return is_osgb ? MetadataXml(scene) : "";
-}
-
-}  // namespace
-
-absl::StatusOr<std::map<std::string, std::string>> DeliveryTexts(const Scene& scene, const std::string& out) {
-  std::map<std::string, std::string> texts;
-  TILEMEND_ASSIGN_OR_RETURN(const DeliveryPlaces places, PlaceDelivery(scene));
-  TILEMEND_ASSIGN_OR_RETURN(Scene delivered, DeliveredScene(scene, out));
-  if (places.cells.empty()) {
-    TILEMEND_ASSIGN_OR_RETURN(std::string metadata, MetadataOf(scene));
-    if (!metadata.empty()) texts[kMetadataFile] = std::move(metadata);
-  } else {
-    TILEMEND_ASSIGN_OR_RETURN(texts[kEntryFile], DeliveryEntry(scene, places, out));
-    delivered.tileset = kEntryFile;
-  }
-  texts[kSceneFile] = SceneJson(delivered);
-  return texts;
 }
 
 namespace {
@@ -147,13 +127,25 @@ absl::Status WriteTileset(const Scene& scene, OutputFolder& output) {
   return WriteFileAtomically(absl::StrCat(output.path(), "/", scene.tileset), text);
 }
 
+absl::Status WriteText(const char* name, const std::string& text, OutputFolder& output) {
+  output.files().Adopt({name});
+  return WriteFileAtomically(absl::StrCat(output.path(), "/", name), text);
+}
+
+// The scene that the delivered tiles are, with the tileset of those that are 3D Tiles. That says where they lie on the
+// Earth, but not the cells, the area and the CRS.
 absl::Status WriteDelivery(const Scene& scene, OutputFolder& output) {
-  TILEMEND_ASSIGN_OR_RETURN(const auto texts, DeliveryTexts(scene, output.path()));
-  for (const auto& [name, text] : texts) {
-    output.files().Adopt({name});
-    TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(absl::StrCat(output.path(), "/", name), text));
+  TILEMEND_ASSIGN_OR_RETURN(const DeliveryPlaces places, PlaceDelivery(scene));
+  TILEMEND_ASSIGN_OR_RETURN(Scene delivered, DeliveredScene(scene, output.path()));
+  if (places.cells.empty()) {
+    TILEMEND_ASSIGN_OR_RETURN(const std::string metadata, MetadataOf(scene));
+    if (!metadata.empty()) TILEMEND_RETURN_IF_ERROR(WriteText(kMetadataFile, metadata, output));
+  } else {
+    TILEMEND_ASSIGN_OR_RETURN(const std::string entry, DeliveryEntry(scene, places, output.path()));
+    TILEMEND_RETURN_IF_ERROR(WriteText(kEntryFile, entry, output));
+    delivered.tileset = kEntryFile;
   }
-  return absl::OkStatus();
+  return WriteFileAtomically(absl::StrCat(output.path(), "/", kSceneFile), SceneJson(delivered));
 }
 
 }  // namespace

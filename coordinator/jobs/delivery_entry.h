@@ -32,10 +32,9 @@ absl::StatusOr<DeliveryPlaces> PlaceDelivery(const Scene& scene);
 // none.
 absl::StatusOr<std::string> DeliveryEntry(const Scene& scene, const DeliveryPlaces& places, const std::string& out);
 
-// The files of an output in another format that say where its tiles lie, by name: scene.json, and tileset.json or
-// metadata.xml. scene.json has the cells, the area and the CRS, tileset.json has the places on the Earth. Pure but for
-// a look at which tiles are in `out`. Errors of PlaceDelivery and DeliveryEntry.
-absl::StatusOr<std::map<std::string, std::string>> DeliveryTexts(const Scene& scene, const std::string& out);
+// The metadata.xml of an output in another format: that of the scene; else, for OSGB, which needs it, one like it; else
+// "". Errors of ReadFile.
+absl::StatusOr<std::string> MetadataOf(const Scene& scene);
 
 // Writes what says where the tiles of an output lie: scene.json, metadata.xml, the tileset of the scene, or the entry.
 absl::Status WriteScene(const Scene& scene, OutputFolder& output);

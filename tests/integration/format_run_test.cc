@@ -319,11 +319,38 @@ TEST_F(FormatRunTest, TheAcceptanceCheckComparesWithTheSceneAsItWouldBeInThatFor
         Tilemend({"run", folder_ / "scene", "--out", folder_ / format, "--output-format", format, "--check"});
     EXPECT_EQ(ended.code, 0) << format << ended.out << ended.err;
   }
-  // Coordinates that float32 rounds in each tile by another origin.
-  for (const std::string format : {"3dtiles", "osgb"}) {
-    const Ended ended =
-        Tilemend({"run", folder_ / "obj", "--out", folder_ / ("of_" + format), "--output-format", format, "--check"});
+  for (const auto& [scene, format] :
+       {std::pair("obj", "3dtiles"), {"obj", "osgb"}, {"3dtiles", "osgb"}, {"3dtiles", "obj"}}) {
+    const std::string out = folder_ / (std::string(format) + "_of_" + scene);
+    const Ended ended = Tilemend({"run", folder_ / scene, "--out", out, "--output-format", format, "--check"});
+    EXPECT_EQ(ended.code, 0) << format << " of " << scene << ended.out << ended.err;
+  }
+}
+
+TEST_F(FormatRunTest, TheAcceptanceCheckKnowsWhatWasCleared) {
+  for (const auto& [path, bytes] : OsgbScene(OsgbScene::Pond::kNoise).Files()) folder_.Write("scene/" + path, bytes);
+  WriteScene("osgb", "");
+  folder_.Write("pond.geojson", R"({"type": "FeatureCollection", "features": [{"type": "Feature",
+      "properties": {"clear": true}, "geometry": {"type": "Polygon",
+      "coordinates": [[[50, 20], [78, 20], [78, 44], [50, 44], [50, 20]]]}}]})");
+  for (const std::string format : {"same", "3dtiles", "obj", "ply"}) {
+    const Ended ended = Tilemend({"run", folder_ / "scene", "--out", folder_ / format, "--output-format", format,
+                                  "--water", folder_ / "pond.geojson", "--check"});
     EXPECT_EQ(ended.code, 0) << format << ended.out << ended.err;
+    EXPECT_GT(ReportOf(folder_ / format)["cleared"]["triangles"], 0);
+  }
+}
+
+// Beyond the two cells lies one that the area alone brings in. It is filled.
+TEST_F(FormatRunTest, TheAcceptanceCheckKnowsCellsThatTheAreaAdds) {
+  WriteOsgb();
+  folder_.Write("area.geojson", R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {},
+      "geometry": {"type": "Polygon", "coordinates": [[[-4, 2], [126, 2], [126, 62], [-4, 62], [-4, 2]]]}}]})");
+  for (const std::string format : {"3dtiles", "obj"}) {
+    const Ended ended = Tilemend({"run", folder_ / "scene", "--out", folder_ / format, "--output-format", format,
+                                  "--area", folder_ / "area.geojson", "--check"});
+    EXPECT_EQ(ended.code, 0) << format << ended.out << ended.err;
+    EXPECT_EQ(ReportOf(folder_ / format)["cells"], 3);
   }
 }
 
@@ -344,6 +371,8 @@ TEST_F(FormatRunTest, TheAcceptanceCheckFindsWhatIsChangedInAnotherFormat) {
   const std::string obj = *ReadFile(folder_ / (tile + ".obj")), image = *ReadFile(folder_ / (tile + "_0.jpg"));
   folder_.Write(tile + "_0.jpg", image + "x");
   check("changed_files");
+  std::filesystem::remove(folder_ / (tile + "_0.jpg"));
+  check("missing_files");
   folder_.Write(tile + "_0.jpg", image);
   std::string moved = obj;
   moved.replace(moved.find("\nv ") + 3, 1, "7");
@@ -353,6 +382,8 @@ TEST_F(FormatRunTest, TheAcceptanceCheckFindsWhatIsChangedInAnotherFormat) {
   check("damaged_tiles");
   run("3dtiles");
   folder_.Write("out/tileset.json", "{}");
+  check("placement");
+  std::filesystem::remove(folder_ / "out/tileset.json");
   check("placement");
   const std::string model = "out/Data/Tile_p000_p000/Tile_p000_p000_3.glb";
   folder_.Write(model, ReadFile(folder_ / model)->substr(0, 1000));

@@ -49,15 +49,28 @@ class TreeDelivery {
 
   DeliveryTile Make() {
     for (int32_t p = 0; p < std::ssize(tile_.pieces); ++p) {
-      const TreePiece& piece = tile_.pieces[static_cast<size_t>(p)];
-      const bool is_wanted = levels_ == DeliveryLevels::kAll || piece.is_finest;
-      numbers_.push_back(is_wanted ? static_cast<int32_t>(result_.pieces.size()) : -1);
-      if (is_wanted) Add(piece, FirstNew(p));
+      if (IsWanted(p)) AddOwnImages(tile_.pieces[static_cast<size_t>(p)], FirstNew(p));
+    }
+    result_.own_images = result_.images.size();
+    for (int32_t p = 0; p < std::ssize(tile_.pieces); ++p) {
+      numbers_.push_back(IsWanted(p) ? static_cast<int32_t>(result_.pieces.size()) : -1);
+      if (IsWanted(p)) Add(tile_.pieces[static_cast<size_t>(p)], FirstNew(p));
     }
     return std::move(result_);
   }
 
  private:
+  bool IsWanted(int32_t p) const {
+    return levels_ == DeliveryLevels::kAll || tile_.pieces[static_cast<size_t>(p)].is_finest;
+  }
+
+  void AddOwnImages(const TreePiece& piece, int64_t first_new) {
+    for (const TreeGeometry& geometry : tile_.files[static_cast<size_t>(piece.file)].geometries) {
+      const bool is_own = geometry.part == piece.part && geometry.order < first_new;
+      if (is_own && geometry.texture >= 0) ImageOf(piece.file, geometry.texture);
+    }
+  }
+
   // The lowest TreeGeometry::order of new geometry in a piece.
   int64_t FirstNew(int32_t p) const {
     constexpr int64_t kNone = std::numeric_limits<int64_t>::max();
@@ -131,12 +144,14 @@ class TreeDelivery {
   std::map<std::pair<int32_t, int32_t>, int32_t> images_;
 };
 
+// The name of the image of filled faces, whose bytes are in ObjBeside: no path in a scene is like it.
+constexpr char kFilledImage[] = "/";
+
 // The look of an OBJ tile with that of its filled faces, whose material file is not written yet.
 absl::StatusOr<TileLook> LookWith(const ObjBeside& beside, const ObjTextures& textures) {
   TILEMEND_ASSIGN_OR_RETURN(TileLook look, ReadObjLook(beside.root, beside.path, textures));
   for (const FillMaterial& material : beside.filled) {
-    // The bytes of the image are in ObjBeside; a path of the scene never is empty but for the last "/".
-    look.materials[material.name] = {material.colour, material.image.empty() ? "" : "/"};
+    look.materials[material.name] = {material.colour, material.image.empty() ? "" : kFilledImage};
   }
   return look;
 }
@@ -144,7 +159,7 @@ absl::StatusOr<TileLook> LookWith(const ObjBeside& beside, const ObjTextures& te
 // The bytes of an image; empty, with a warning, if it cannot be used.
 absl::StatusOr<std::string> ReadImage(const ObjBeside& beside, const std::string& image,
                                       std::vector<std::string>& warnings) {
-  if (image == "/") return std::string(beside.filled_image);
+  if (image == kFilledImage) return std::string(beside.filled_image);
   auto bytes = ReadFile(absl::StrCat(beside.root, "/", image));
   if (IsStoreError(beside.root, bytes.status())) return bytes.status();
   if (!bytes.ok()) {
@@ -155,6 +170,35 @@ absl::StatusOr<std::string> ReadImage(const ObjBeside& beside, const std::string
     return bytes;
   }
   return "";
+}
+
+// The images of the materials that the tile names, and last that of its filled faces.
+std::vector<std::string> ImagesOf(const ObjTextures& textures, const TileLook& look) {
+  std::set<std::string> own;
+  bool has_filled = false;
+  for (const std::string& name : textures.materials) {
+    const auto material = look.materials.find(name);
+    if (material == look.materials.end() || material->second.image.empty()) continue;
+    has_filled = has_filled || material->second.image == kFilledImage;
+    if (material->second.image != kFilledImage) own.insert(material->second.image);
+  }
+  std::vector<std::string> images(own.begin(), own.end());
+  if (has_filled) images.emplace_back(kFilledImage);
+  return images;
+}
+
+// Reads these images into the tile. The number of each that can be used, by its name.
+absl::StatusOr<std::map<std::string, int32_t>> AddImages(const ObjBeside& beside,
+                                                         const std::vector<std::string>& images, DeliveryTile& tile) {
+  std::map<std::string, int32_t> numbers;
+  for (const std::string& image : images) {
+    TILEMEND_ASSIGN_OR_RETURN(std::string read, ReadImage(beside, image, tile.warnings));
+    if (read.empty()) continue;
+    numbers[image] = static_cast<int32_t>(tile.images.size());
+    tile.images.push_back(std::move(read));
+    if (image != kFilledImage) tile.own_images = tile.images.size();
+  }
+  return numbers;
 }
 
 // What an OBJ tile has beside its materials.
@@ -224,6 +268,7 @@ absl::StatusOr<DeliveryTile> DeliveryOfObj(std::string_view bytes, const ObjBesi
   const int64_t short_faces = obj.textures.short_faces, lines_and_points = obj.textures.lines_and_points;
   TILEMEND_ASSIGN_OR_RETURN(const TileLook look, LookWith(beside, obj.textures));
   const ObjMarks marks = MarksOf(obj);
+  const std::vector<std::string> images = ImagesOf(obj.textures, look);
   const TexturedSurface surface = TexturedSurfaceOf(std::move(obj), look);
   DeliveryTile tile;
   const auto warn_of = [&](const char* what, int64_t count) {
@@ -234,15 +279,10 @@ absl::StatusOr<DeliveryTile> DeliveryOfObj(std::string_view bytes, const ObjBesi
   warn_of("faces with fewer than three corners", short_faces);
   warn_of("lines and points", lines_and_points);
   DeliveryPiece piece;
+  TILEMEND_ASSIGN_OR_RETURN(const auto numbers, AddImages(beside, images, tile));
   for (const TexturedSurface::Group& group : surface.groups) {
-    int32_t image = -1;
-    if (!group.image.empty()) {
-      TILEMEND_ASSIGN_OR_RETURN(std::string read, ReadImage(beside, group.image, tile.warnings));
-      if (!read.empty()) {
-        image = static_cast<int32_t>(tile.images.size());
-        tile.images.push_back(std::move(read));
-      }
-    }
+    const auto number = numbers.find(group.image);
+    const int32_t image = number == numbers.end() ? -1 : number->second;
     for (const bool is_filled : {false, true}) {
       DeliverySurface made = SurfaceOf(surface, group, image, marks, is_filled);
       if (!made.mesh.triangles.empty()) piece.surfaces.push_back(std::move(made));

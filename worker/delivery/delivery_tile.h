@@ -3,6 +3,7 @@
 #define TILEMEND_WORKER_DELIVERY_DELIVERY_TILE_H_
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -36,7 +37,9 @@ struct DeliveryPiece {
 
 struct DeliveryTile {
   std::vector<DeliveryPiece> pieces;
-  std::vector<std::string> images;  // encoded
+  std::vector<std::string> images;  // encoded; the first `own_images` are those of the tile, the others of its fills
+  // Those of the tile have the same numbers however many of its triangles were cleared.
+  size_t own_images = 0;
   std::vector<std::string> warnings;
 };
 

@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -24,40 +23,41 @@ void AppendNumber(Number value, std::string& text) {
   text.append(digits, end);
 }
 
+std::string MaterialOf(const DeliverySurface& surface) {
+  if (surface.image >= 0) return absl::StrCat("image_", surface.image);
+  return absl::StrFormat("colour_%02x%02x%02x", surface.colour.r, surface.colour.g, surface.colour.b);
+}
+
 class ObjMaker {
  public:
   ObjMaker(const DeliveryTile& tile, const std::string& stem) : tile_(tile), stem_(stem) {}
 
   std::vector<DeliveryFile> Make() {
     obj_ = absl::StrCat("mtllib ", stem_, ".mtl\n");
+    // Whether or not a face is left that has them.
+    for (size_t i = 0; i < tile_.own_images; ++i) {
+      DeliverySurface any;
+      any.image = static_cast<int32_t>(i);
+      AddMaterial(any, MaterialOf(any));
+    }
     AddSurfaces(false);
     AddSurfaces(true);
     std::vector<DeliveryFile> files = {{stem_ + ".obj", std::move(obj_)}, {stem_ + ".mtl", std::move(mtl_)}};
-    files.resize(2 + numbers_.size());
-    for (const auto& [image, number] : numbers_) {
-      files[2 + number] = {ImageName(image, number), tile_.images[static_cast<size_t>(image)]};
+    for (size_t i = 0; i < tile_.images.size(); ++i) {
+      files.push_back({ImageName(static_cast<int32_t>(i)), tile_.images[i]});
     }
     return files;
   }
 
  private:
-  std::string ImageName(int32_t image, size_t number) const {
-    return absl::StrCat(stem_, "_", number, ".", std::string(ImageEnding(tile_.images[static_cast<size_t>(image)])));
-  }
-
-  // Images are numbered as they are met: those of filled surface last.
-  size_t NumberOf(int32_t image) { return numbers_.try_emplace(image, numbers_.size()).first->second; }
-
-  std::string MaterialOf(const DeliverySurface& surface) {
-    if (surface.image >= 0) return absl::StrCat("image_", NumberOf(surface.image));
-    return absl::StrFormat("colour_%02x%02x%02x", surface.colour.r, surface.colour.g, surface.colour.b);
+  std::string ImageName(int32_t image) const {
+    return absl::StrCat(stem_, "_", image, ".", std::string(ImageEnding(tile_.images[static_cast<size_t>(image)])));
   }
 
   void AddMaterial(const DeliverySurface& surface, const std::string& name) {
     if (!materials_.insert(name).second) return;
     if (surface.image >= 0) {
-      const std::string image = ImageName(surface.image, NumberOf(surface.image));
-      absl::StrAppend(&mtl_, "newmtl ", name, "\nKd 1 1 1\nmap_Kd ", image, "\n");
+      absl::StrAppend(&mtl_, "newmtl ", name, "\nKd 1 1 1\nmap_Kd ", ImageName(surface.image), "\n");
     } else {
       absl::StrAppendFormat(&mtl_, "newmtl %s\nKd %.6f %.6f %.6f\n", name, surface.colour.r / 255.0,
                             surface.colour.g / 255.0, surface.colour.b / 255.0);
@@ -117,8 +117,7 @@ class ObjMaker {
   const std::string& stem_;
   std::string obj_, mtl_;
   std::set<std::string> materials_;
-  std::map<int32_t, size_t> numbers_;  // of the images that are met
-  int64_t points_ = 0, places_ = 0;    // that are written
+  int64_t points_ = 0, places_ = 0;  // that are written
 };
 
 }  // namespace

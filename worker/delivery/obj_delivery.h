@@ -10,9 +10,9 @@
 
 namespace tilemend {
 
-// The files "`stem`.obj" (first), "`stem`.mtl" and each image that surface has, with its bytes. All pieces are
-// written, in their order, and filled surface after all others, in the group tilemend_filled: images, materials and
-// faces of the others do not depend on it. Numbers are the shortest that give the same coordinates again. Linear.
+// The files "`stem`.obj" (first), "`stem`.mtl" and an image for each image of the tile, with its bytes. All pieces are
+// written, in their order, and filled surface after all others, in the group tilemend_filled. So are its materials.
+// Numbers are the shortest that give the same coordinates again. Linear.
 std::vector<DeliveryFile> ObjFilesOf(const DeliveryTile& tile, const std::string& stem);
 
 }  // namespace tilemend

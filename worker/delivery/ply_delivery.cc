@@ -87,6 +87,7 @@ class PlyMaker {
 
   absl::StatusOr<std::vector<DeliveryFile>> Make() {
     files_.push_back({stem_ + ".ply", ""});
+    for (size_t i = 0; i < tile_.own_images; ++i) images_[{static_cast<int32_t>(i), 0}] = AddImage(tile_.images[i]);
     for (const bool is_filled : {false, true}) TILEMEND_RETURN_IF_ERROR(AddImagesOf(is_filled));
     for (const DeliveryPiece& piece : tile_.pieces) {
       ++piece_;

@@ -37,6 +37,22 @@ TEST(DeliveryOfTreeTest, PiecesTakeThePlaceOfTheirParents) {
   EXPECT_TRUE(tile.warnings.empty());
 }
 
+TEST(DeliveryOfTreeTest, ImagesOfFillsAreTheLastAndThoseWithoutATriangleAreThere) {
+  TileTree tree = OsgbTree();
+  std::vector<int32_t> new_geometries(tree.pieces.size(), 0);
+  const auto& first = tree.pieces[0];
+  new_geometries[0] = 1;  // its only one
+  for (TreeGeometry& geometry : tree.files[static_cast<size_t>(tree.pieces[1].file)].geometries) {
+    if (geometry.part == tree.pieces[1].part) geometry.triangle_count = 0;
+  }
+  const DeliveryTile tile = DeliveryOfTree(tree, DeliveryLevels::kAll, new_geometries);
+  EXPECT_EQ(first.parent, -1);
+  EXPECT_EQ(tile.images.size(), 9U);
+  EXPECT_EQ(tile.own_images, 8U);
+  EXPECT_TRUE(tile.pieces[0].surfaces.at(0).is_filled);
+  EXPECT_EQ(tile.pieces[0].surfaces[0].image, 8);
+}
+
 TEST(DeliveryOfTreeTest, TheFinestAloneIsTheFinestLevel) {
   const TileTree tree = OsgbTree();
   const DeliveryTile tile = DeliveryOfTree(tree, DeliveryLevels::kFinest);
@@ -94,7 +110,8 @@ TEST(DeliveryOfObjTest, ImagesAndColoursOfTheMaterialsAreTaken) {
   ASSERT_TRUE(tile.ok()) << tile.status();
   ASSERT_EQ(tile->pieces.size(), 1u);
   ASSERT_EQ(tile->pieces[0].surfaces.size(), 3u);
-  EXPECT_THAT(tile->images, testing::UnorderedElementsAre("\xff\xd8\xff roof", "\xff\xd8\xff fill"));
+  EXPECT_THAT(tile->images, testing::ElementsAre("\xff\xd8\xff roof", "\xff\xd8\xff fill"));
+  EXPECT_EQ(tile->own_images, 1U);
   EXPECT_EQ(tile->pieces[0].surfaces[0].image, -1);
   EXPECT_EQ(tile->pieces[0].surfaces[0].colour, (Rgb{255, 0, 0}));
   EXPECT_EQ(tile->pieces[0].surfaces[1].uv.size(), 3u);
@@ -159,6 +176,19 @@ TEST(DeliveryOfObjTest, VerticesKeepTheirColoursWhereNoMaterialIsInForce) {
       DeliveryOfObj("mtllib a.mtl\n" + vertices + "usemtl red\nf 2 4 3\n", {folder.path(), "a.obj", {}, ""});
   ASSERT_TRUE(under.ok()) << under.status();
   EXPECT_THAT(under->warnings, testing::ElementsAre(HasSubstr("where faces have a material")));
+}
+
+// So that images have the same numbers where clearing leaves no face of a material.
+TEST(DeliveryOfObjTest, AnImageWithoutAFaceIsTaken) {
+  const TemporaryFolder folder;
+  folder.Write("a.mtl", "newmtl one\nmap_Kd 1.jpg\nnewmtl two\nmap_Kd 2.jpg\nnewmtl unnamed\nmap_Kd 3.jpg\n");
+  for (const std::string n : {"1", "2", "3"}) folder.Write(n + ".jpg", "\xff\xd8\xff " + n);
+  const auto tile =
+      DeliveryOfObj("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl one\nusemtl two\nf 1/1 2/1 3/1\n",
+                    {folder.path(), "a.obj", {}, ""});
+  ASSERT_TRUE(tile.ok()) << tile.status();
+  EXPECT_THAT(tile->images, testing::ElementsAre("\xff\xd8\xff 1", "\xff\xd8\xff 2"));
+  EXPECT_EQ(tile->pieces[0].surfaces.at(0).image, 1);
 }
 
 TEST(DeliveryOfObjTest, AMissingOrUnknownImageIsAColour) {

@@ -55,25 +55,6 @@ TEST(ObjDeliveryTest, AFaceThatNamesAVertexTwiceIsKept) {
   }
 }
 
-// So that the material file of a tile without its fills is the beginning of this one.
-TEST(ObjDeliveryTest, ImagesOfFilledSurfaceAreTheLast) {
-  DeliverySurface own, filled;
-  own.mesh = filled.mesh = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
-  own.uv = filled.uv = {{0, 0}, {1, 0}, {0, 1}};
-  own.image = 1;
-  filled.image = 0;
-  filled.is_filled = true;
-  DeliveryTile tile;
-  tile.images = {"\x89PNG of the fill", "\xff\xd8\xff a photograph"};
-  tile.pieces.push_back({-1, 0, {filled, own}});
-  const std::vector<DeliveryFile> files = ObjFilesOf(tile, "a");
-  ASSERT_EQ(files.size(), 4U);
-  EXPECT_EQ(files[2].name, "a_0.jpg");
-  EXPECT_EQ(files[3].name, "a_1.png");
-  tile.pieces[0].surfaces.erase(tile.pieces[0].surfaces.begin());
-  EXPECT_TRUE(files[1].bytes.starts_with(ObjFilesOf(tile, "a")[1].bytes));
-}
-
 TEST(ObjDeliveryTest, AColourIsAMaterial) {
   const TriMesh mesh{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1, 2}}};
   const std::vector<ColourRun> runs = {{0, {255, 0, 0}}};
