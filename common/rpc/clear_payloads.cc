@@ -14,6 +14,19 @@ absl::Status Malformed(const char* what) {
   return absl::InvalidArgumentError(absl::StrCat("malformed payload: ", what));
 }
 
+absl::StatusOr<std::vector<PlaneSegment>> OutlineOf(const v1::ClearArea& proto) {
+  constexpr int kNumbers = 4;  // of a segment
+  if (proto.outline_size() % kNumbers != 0) return Malformed("segments without both ends");
+  std::vector<PlaneSegment> outline;
+  for (int i = 0; i < proto.outline_size(); i += kNumbers) {
+    const PlaneSegment segment = {{proto.outline(i), proto.outline(i + 1)},
+                                  {proto.outline(i + 2), proto.outline(i + 3)}};
+    if (!segment.first.allFinite() || !segment.second.allFinite()) return Malformed("a position that is no number");
+    outline.push_back(segment);
+  }
+  return outline;
+}
+
 }  // namespace
 
 v1::ClearArea ToProto(const ClearArea& area) {
@@ -26,6 +39,9 @@ v1::ClearArea ToProto(const ClearArea& area) {
     }
   }
   proto.set_top(area.top);
+  for (const auto& [from, to] : area.outline) {
+    for (const double x : {from.x(), from.y(), to.x(), to.y()}) proto.add_outline(x);
+  }
   return proto;
 }
 
@@ -33,6 +49,7 @@ absl::StatusOr<ClearArea> FromProto(const v1::ClearArea& proto) {
   ClearArea area;
   area.top = proto.top();
   if (std::isnan(area.top)) return Malformed("a height that is no number");
+  TILEMEND_ASSIGN_OR_RETURN(area.outline, OutlineOf(proto));
   int64_t at = 0;
   for (const int32_t points : proto.ring_points()) {
     if (points < 3 || 2 * (at + points) > proto.point_size()) return Malformed("rings without their points");

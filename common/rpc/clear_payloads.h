@@ -12,8 +12,8 @@
 
 namespace tilemend {
 
-// Decoding gives kInvalidArgument for rings of fewer than three points or with other counts than there are points, and
-// for positions that are no numbers.
+// Decoding gives kInvalidArgument for rings of fewer than three points or with other counts than there are points, for
+// segments without both ends, and for positions that are no numbers.
 v1::ClearArea ToProto(const ClearArea& area);
 absl::StatusOr<ClearArea> FromProto(const v1::ClearArea& proto);
 

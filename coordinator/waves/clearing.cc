@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "common/grid/area_shares.h"
@@ -26,7 +27,12 @@ bool HasCells(const Grid& grid) { return grid.cell_size.minCoeff() > 0; }
 
 }  // namespace
 
-Clearing::Clearing(const std::vector<WaterArea>& areas, const Grid& grid, std::span<const CellId> cells) : grid_(grid) {
+Clearing::Clearing(const std::vector<WaterArea>& areas, const Grid& grid, std::span<const CellId> cells,
+                   const PlanePolygon& bounds)
+    : grid_(grid) {
+  for (const std::vector<Point2>& ring : bounds.rings) {
+    for (size_t i = 0; i < ring.size(); ++i) outline_.emplace_back(ring[i], ring[(i + 1) % ring.size()]);
+  }
   for (size_t a = 0; a < areas.size(); ++a) {
     const WaterArea& area = areas[a];
     if (!area.clear) continue;
@@ -52,10 +58,25 @@ std::vector<size_t> Clearing::InReach(CellId cell) const {
     for (size_t i = 0; i < asked_.size(); ++i) numbers.push_back(i);
     return numbers;
   }
+  const Eigen::AlignedBox2d box = TileBox(cell);
+  const std::vector<int32_t> found = where_.Meeting(box.min(), box.max());
+  return {found.begin(), found.end()};
+}
+
+Eigen::AlignedBox2d Clearing::TileBox(CellId cell) const {
   const Point2 low = grid_.corner + Point2(cell.col, cell.row).cwiseProduct(grid_.cell_size);
   const Point2 reach = kReachBeyondCell * grid_.cell_size;
-  const std::vector<int32_t> found = where_.Meeting(low - reach, low + grid_.cell_size + reach);
-  return {found.begin(), found.end()};
+  return {low - reach, low + grid_.cell_size + reach};
+}
+
+std::vector<PlaneSegment> Clearing::OutlineNear(CellId cell) const {
+  const Eigen::AlignedBox2d box = TileBox(cell);
+  std::vector<PlaneSegment> near;
+  std::ranges::copy_if(outline_, std::back_inserter(near), [&](const PlaneSegment& segment) {
+    return box.intersects(
+        Eigen::AlignedBox2d(segment.first.cwiseMin(segment.second), segment.first.cwiseMax(segment.second)));
+  });
+  return near;
 }
 
 std::vector<size_t> Clearing::Measured(CellId cell) const {
@@ -104,7 +125,10 @@ void Clearing::Settle(std::vector<WaterArea>& areas) {
 
 std::vector<ClearArea> Clearing::Areas(CellId cell) const {
   std::vector<ClearArea> areas;
-  for (const size_t i : Cutting(cell)) areas.push_back({asked_[i].polygon, *asked_[i].top});
+  const std::vector<size_t> cutting = Cutting(cell);
+  const std::vector<PlaneSegment> outline =
+      cutting.empty() || !HasCells(grid_) ? std::vector<PlaneSegment>() : OutlineNear(cell);
+  for (const size_t i : cutting) areas.push_back({asked_[i].polygon, *asked_[i].top, outline});
   return areas;
 }
 

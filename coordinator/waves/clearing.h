@@ -2,6 +2,7 @@
 #ifndef TILEMEND_COORDINATOR_WAVES_CLEARING_H_
 #define TILEMEND_COORDINATOR_WAVES_CLEARING_H_
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -36,8 +37,10 @@ class Clearing {
   // Without areas nothing is taken out.
   Clearing() = default;
   // `areas` without `clear` are skipped. `cells` are all of the scene, each once: what lies beyond them tells nothing.
-  // A scene without a grid has one tile, which all areas reach.
-  Clearing(const std::vector<WaterArea>& areas, const Grid& grid, std::span<const CellId> cells);
+  // A scene without a grid has one tile, which all areas reach. `bounds`: the area of the scene, if it has one; what
+  // lies across its outline is not taken out.
+  Clearing(const std::vector<WaterArea>& areas, const Grid& grid, std::span<const CellId> cells,
+           const PlanePolygon& bounds = {});
 
   // What is to be measured of the tile of a cell; empty: nothing.
   std::vector<PlanePolygon> Polygons(CellId cell) const;
@@ -80,7 +83,13 @@ class Clearing {
   std::vector<size_t> Measured(CellId cell) const;
   std::vector<size_t> Cutting(CellId cell) const;
 
+  // All that a tile may reach. Precondition: the scene has a grid.
+  Eigen::AlignedBox2d TileBox(CellId cell) const;
+  // The parts of the outline near the tile of a cell.
+  std::vector<PlaneSegment> OutlineNear(CellId cell) const;
+
   Grid grid_;
+  std::vector<PlaneSegment> outline_;  // of the bounds
   std::vector<Asked> asked_;
   PolygonTree where_;               // they are
   std::map<CellId, bool> counted_;  // whether anything was taken out

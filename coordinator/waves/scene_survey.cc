@@ -23,7 +23,7 @@ std::vector<CellId> CellsOf(const Scene& scene) {
 }  // namespace
 
 SceneSurvey::SceneSurvey(Scene scene, const std::vector<WaterArea>& areas)
-    : scene_(std::move(scene)), areas_(areas), clearing_(areas_, scene_.grid, CellsOf(scene_)) {
+    : scene_(std::move(scene)), areas_(areas), clearing_(areas_, scene_.grid, CellsOf(scene_), scene_.area) {
   for (const SceneTile& tile : scene_.tiles) tiles_[tile.cell] = &tile;
 }
 

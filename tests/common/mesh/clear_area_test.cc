@@ -54,6 +54,23 @@ TEST(ClearAreaTest, OfManyAreasTheFirstOverATriangleCounts) {
   EXPECT_THAT(AreasThatClear(mesh, areas), ElementsAre(1998, 701, 0, -1));
 }
 
+// A segment that only touches a triangle, or whose line alone passes through it, is not across.
+TEST(ClearAreaTest, WhatLiesAcrossTheOutlineOfTheAreaStays) {
+  TriMesh mesh;
+  Add(mesh, 2, 2, 2, {1, 1, 1});
+  const auto by = [&](const PlaneSegment& segment) {
+    return AreasThatClear(mesh, std::vector<ClearArea>{{kSquare, 2, {{{-9, -9}, {-9, 20}}, segment}}})[0];
+  };
+  EXPECT_EQ(by({{2.5, -5}, {2.5, 50}}), -1);
+  EXPECT_EQ(by({{2.5, 50}, {2.5, -5}}), -1);
+  EXPECT_EQ(by({{2.2, 2.2}, {2.4, 2.3}}), -1) << "within";
+  EXPECT_EQ(by({{2.2, 2.2}, {9, 9}}), -1) << "begins within";
+  EXPECT_EQ(by({{2, -5}, {2, 50}}), 0) << "along a side";
+  EXPECT_EQ(by({{4, 2}, {9, 2}}), 0) << "at a corner";
+  EXPECT_EQ(by({{2.5, -5}, {2.5, 1.9}}), 0);
+  EXPECT_EQ(by({{3.5, 2.8}, {9, 9}}), 0) << "beyond a side";
+}
+
 TEST(ClearAreaTest, UprightTrianglesAreInsideOrNot) {
   TriMesh mesh;
   mesh.points = {{3, 3, 0}, {4, 3, 0}, {3, 3, 1}, {13, 3, 0}, {14, 3, 0}, {13, 3, 1}};

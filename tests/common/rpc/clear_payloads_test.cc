@@ -12,7 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-const ClearArea kArea{{{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {2, 1}, {1, 2}}}}, 2.5};
+const ClearArea kArea{{{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {2, 1}, {1, 2}}}}, 2.5, {{{-1, 0}, {1.0 / 3, 9}}}};
 
 TEST(ClearPayloadsTest, AreasComeBackBitForBit) {
   ClearArea area = kArea;
@@ -22,6 +22,7 @@ TEST(ClearPayloadsTest, AreasComeBackBitForBit) {
     ASSERT_TRUE(back.ok()) << back.status();
     EXPECT_EQ(back->polygon.rings, area.polygon.rings);
     EXPECT_EQ(back->top, top);
+    EXPECT_EQ(back->outline, area.outline);
   }
 }
 
@@ -31,6 +32,8 @@ TEST(ClearPayloadsTest, RefusesAreasThatNobodyMade) {
       [](v1::ClearArea& a) { a.add_ring_points(3); },
       [](v1::ClearArea& a) { a.set_ring_points(0, -1); },
       [](v1::ClearArea& a) { a.set_ring_points(1, 2), a.mutable_point()->Truncate(12); },
+      [](v1::ClearArea& a) { a.add_outline(1); },
+      [](v1::ClearArea& a) { a.set_outline(2, std::numeric_limits<double>::infinity()); },
       [](v1::ClearArea& a) { a.set_point(3, std::numeric_limits<double>::infinity()); },
       [](v1::ClearArea& a) { a.set_top(std::numeric_limits<double>::quiet_NaN()); }};
   for (const auto& change : changes) {

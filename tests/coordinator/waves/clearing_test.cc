@@ -112,6 +112,16 @@ TEST_F(ClearingTest, RefusesResultsOfOtherAreas) {
   EXPECT_FALSE(clearing_.TakeCounts({1, 0}, std::vector<int64_t>{-1}).ok());
 }
 
+TEST(ClearingInAnAreaTest, TheOutlineNearATileGoesWithIt) {
+  Clearing clearing(Areas(), kGrid, kCells, Rectangle(-100, 38));
+  std::vector<WaterArea> areas = Areas();
+  clearing.Settle(areas);
+  ASSERT_THAT(clearing.Areas({3, 0}), SizeIs(1));
+  EXPECT_THAT(clearing.Areas({3, 0})[0].outline, SizeIs(3)) << "below, above, and to the east";
+  ASSERT_THAT(clearing.Areas({1, 0}), SizeIs(1));
+  EXPECT_THAT(clearing.Areas({1, 0})[0].outline, SizeIs(2));
+}
+
 TEST(ClearingOfAMeshTest, AllAreasReachTheOneTile) {
   const Clearing clearing(Areas(), Grid(), {});
   EXPECT_THAT(clearing.Polygons({0, 0}), SizeIs(1));
