@@ -88,10 +88,26 @@ std::optional<OGRSpatialReference> CrsNamed(const std::string& crs) {
   return EastFirst(std::move(read));
 }
 
-std::string NameOf(const OGRSpatialReference& crs) {
+// "EPSG:25832"; "": it has no code.
+std::string CodeOf(const OGRSpatialReference& crs) {
   const char* const authority = crs.GetAuthorityName(nullptr);
   const char* const code = crs.GetAuthorityCode(nullptr);
-  if (authority != nullptr && code != nullptr) return std::string(authority) + ":" + code;
+  return authority != nullptr && code != nullptr ? std::string(authority) + ":" + code : "";
+}
+
+// Whether it places this point where the CRS of its code does; true if that is not known. Photogrammetry programs write
+// a local CRS with the code of the one that they made it from.
+bool IsAsItsCodeSays(const OGRSpatialReference& crs, const Point2& point) {
+  const std::optional<OGRSpatialReference> coded = CrsNamed(CodeOf(crs));
+  if (!coded || coded->IsProjected() == 0 || crs.IsProjected() == 0) return true;
+  const std::unique_ptr<OGRCoordinateTransformation> way(OGRCreateCoordinateTransformation(&crs, &*coded));
+  double x = point.x(), y = point.y();
+  constexpr double kSame = 0.01;  // metres, for rounding
+  return way == nullptr || way->Transform(1, &x, &y) == 0 || (Point2(x, y) - point).norm() <= kSame;
+}
+
+std::string NameOf(const OGRSpatialReference& crs) {
+  if (std::string code = CodeOf(crs); !code.empty()) return code;
   return crs.GetName() != nullptr ? crs.GetName() : "a CRS without a name";
 }
 
@@ -153,6 +169,16 @@ class Placement {
                        ", but the scene names no CRS; give the scene's CRS in scene.json (\"crs\", \"origin\"), or "
                        "coordinates relative to the scene's origin in a file that names no CRS"};
     }
+    if (IsTakenForScene(named, name)) {
+      const Reading as_scene{name, nullptr, frame_.origin};
+      auto placed = as_scene.Apply(features_);
+      if (IsIn(placed)) {
+        warnings_.push_back("its CRS is called " + name +
+                            ", as the scene's is, which is another one: its coordinates are "
+                            "taken for the scene's; if they are not, name the CRS by its definition");
+        return Take(std::move(placed), name);
+      }
+    }
     const Reading reading = From(EastFirst(named), name);
     auto placed = reading.Apply(features_);
     if (IsIn(placed)) return Take(std::move(placed), reading.name);
@@ -187,6 +213,14 @@ class Placement {
   }
 
  private:
+  // Whether the scene's CRS has the code of `named`, and is another one: files drawn over the scene keep the code
+  // alone.
+  bool IsTakenForScene(const OGRSpatialReference& named, const std::string& code) const {
+    const Point2 origin = frame_.origin.head<2>();
+    return crs_ && CodeOf(*crs_) == code && !IsAsItsCodeSays(*crs_, origin) &&
+           IsAsItsCodeSays(EastFirst(named), origin);
+  }
+
   // Throws if the scene's CRS is not understood or has no metres.
   Reading From(const OGRSpatialReference& crs, const std::string& name) const {
     if (!crs_)
@@ -301,7 +335,9 @@ std::string FaultOfCrs(const std::string& crs) {
   if (known->IsGeocentric()) return "is geocentric and cannot be that of tiles with z up";
   const char* unit = nullptr;
   const double metres = known->GetLinearUnits(&unit);
-  return IsMetre(metres) ? "" : std::string("has the unit ") + unit + ", in which options and levels then count";
+  if (!IsMetre(metres)) return std::string("has the unit ") + unit + ", in which options and levels then count";
+  const Point2 any(500000, 2000000);  // on most zones of projected CRS
+  return IsAsItsCodeSays(*known, any) ? "" : "is not " + CodeOf(*known) + ", as which it is marked";
 }
 
 bool ToLonLat(const std::string& crs, std::vector<Point2>& points) {

@@ -92,7 +92,8 @@ struct VectorFile {
 // value of `water`, or a changed feature of the same `cluster` has one and none there is water as found. Those of one
 // `body` that say the same are parts of one feature.
 //
-// What coordinates are. Those of a layer that names its CRS are transformed to the scene's. Others are taken for
+// What coordinates are. Those of a layer that names its CRS are transformed to the scene's. If the scene's CRS has the
+// same code, but is another one, they are taken for the scene's if they lie in it, with a warning. Others are taken for
 // longitude and latitude (WGS 84), for coordinates of the scene, or of its CRS. The first of these that puts the layer
 // into the scene is taken; between the first two the better fit decides. Heights are never transformed: level_m is
 // relative to the origin if coordinates are, else it is a height of the scene's CRS.

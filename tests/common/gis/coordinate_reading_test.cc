@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "absl/strings/str_replace.h"
 #include "common/gis/area_file.h"
 #include "tests/common/gis/geojson_text.h"
 
@@ -69,6 +70,38 @@ TEST(CoordinateReadingTest, FeaturesThatAreMeantInTwoWaysAreAnError) {
 TEST(CoordinateReadingTest, ANamedCrsIsTransformedToTheScenes) {
   ExpectPond(Read(SquareAt(691100, 5334300, 100), kUtm, Munich()), "EPSG:25832", 12.5, 1e-6);
   ExpectPond(Read(kPondInDegrees, "urn:ogc:def:crs:OGC:1.3:CRS84", Munich()), "EPSG:4326", 12.5, 0.05);
+}
+
+// As an export of photogrammetry has it; files drawn over it keep the code alone.
+constexpr char kLocal[] =
+    "PROJCS[\"local\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.257223563]],"
+    "PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]],PROJECTION[\"Transverse_Mercator\"],"
+    "PARAMETER[\"latitude_of_origin\",0],PARAMETER[\"central_meridian\",9],PARAMETER[\"scale_factor\",0.9996],"
+    "PARAMETER[\"false_easting\",500000],PARAMETER[\"false_northing\",NORTHING],UNIT[\"metre\",1],"
+    "AUTHORITY[\"EPSG\",\"32632\"]]";
+
+TEST(CoordinateReadingTest, TheCodeOfAnotherCrsIsThatOfTheSceneIfThisHasIt) {
+  const char named[] = "urn:ogc:def:crs:EPSG::32632";
+  for (const std::string northing : {"90", "0"}) {
+    SceneFrame frame = Munich();
+    frame.crs = absl::StrReplaceAll(kLocal, {{"NORTHING", northing}});
+    const auto read = Read(SquareAt(691100, 5334300, 100), named, frame);
+    ExpectPond(read, "EPSG:32632", 12.5, 1e-6);
+    EXPECT_THAT(read->warnings, SizeIs(northing == "0" ? 0 : 1));
+    Scene scene;
+    scene.crs = frame.crs;
+    EXPECT_EQ(*CrsFaultOf(scene), northing == "0" ? "" : "is not EPSG:32632, as which it is marked");
+  }
+}
+
+// A scene 6,000 km further north by its CRS: what lies in it is in the CRS that the file names.
+TEST(CoordinateReadingTest, AFileThatDoesNotLieInTheSceneByItsCodeIsTransformed) {
+  SceneFrame frame = Munich();
+  frame.crs = absl::StrReplaceAll(kLocal, {{"NORTHING", "6000000"}});
+  frame.origin.y() += 6000000;
+  const auto read = Read(SquareAt(691100, 5334300, 100), "urn:ogc:def:crs:EPSG::32632", frame);
+  ExpectPond(read, "EPSG:32632", 12.5, 1e-6);
+  EXPECT_THAT(read->warnings, SizeIs(0));
 }
 
 TEST(CoordinateReadingTest, AVerticalCrsOfTheSceneDoesNotMatter) {
