@@ -43,6 +43,15 @@ absl::Status EmptyValue(const FlagSpec& spec) {
   return absl::InvalidArgumentError(absl::StrCat("--", spec.name, " is empty; expected ", spec.value));
 }
 
+absl::Status CheckGivenOnce(const FlagSpec& spec, const std::vector<std::string>& values) {
+  for (const std::string& value : values) {
+    if (value == values.back()) continue;
+    return absl::InvalidArgumentError(absl::StrCat("--", spec.name, " is given twice, as ", value, " and as ",
+                                                   values.back(), "; it takes one value"));
+  }
+  return absl::OkStatus();
+}
+
 // `-out`, which would be `-o` with the value "ut": the long name of a flag behind one dash.
 bool HasOneDash(const std::vector<FlagSpec>& specs, const std::string& word) {
   if (word.size() < 3 || word[0] != '-' || word[1] == '-') return false;
@@ -144,6 +153,7 @@ absl::StatusOr<Flags> Flags::Parse(const std::vector<FlagSpec>& specs, const std
     const CLI::Option& option = *app.get_option("--" + spec.name);
     if (option.count() == 0) continue;
     if (!spec.value.empty() && option.results().back().empty()) return EmptyValue(spec);
+    if (!spec.value.empty()) TILEMEND_RETURN_IF_ERROR(CheckGivenOnce(spec, option.results()));
     flags.given_[spec.name] = spec.value.empty() ? "" : option.results().back();
   }
   return flags;

@@ -47,7 +47,7 @@ TEST(FlagsTest, TakesValuesAsTheyStand) {
   EXPECT_EQ(text({"--out", "[a,b]"}), "[a,b]") << "no list";
   EXPECT_EQ(text({"--out", "--overwrite"}), "--overwrite");
   EXPECT_EQ(text({"--out", "--"}), "--");
-  EXPECT_EQ(text({"--out=first", "--out", "last"}), "last");
+  EXPECT_EQ(text({"--out=same", "--out", "same"}), "same");
   EXPECT_EQ(text({"--out", "\"a b\""}), "\"a b\"");
   EXPECT_EQ(Flags::Parse(Specs(), {"-o=json"})->Text("output"), "json");
   EXPECT_THAT(Flags::Parse(Specs(), {"[a,b]", "%%", "a b"})->arguments(), ElementsAre("[a,b]", "%%", "a b"));
@@ -55,6 +55,11 @@ TEST(FlagsTest, TakesValuesAsTheyStand) {
 
 TEST(FlagsTest, ANegativeNumberIsAnArgument) {
   EXPECT_THAT(Flags::Parse(Specs(), {"job", "-5"})->arguments(), ElementsAre("job", "-5"));
+}
+
+TEST(FlagsTest, TwoValuesOfAFlagAreAnError) {
+  EXPECT_EQ(Flags::Parse(Specs(), {"--out=first", "--out", "last"}).status().message(),
+            "--out is given twice, as first and as last; it takes one value");
 }
 
 TEST(FlagsTest, SaysWhatIsWrong) {
