@@ -89,10 +89,10 @@ void JobJournal::DropResults(const Revoked& revoked) const {
   cluster_.journal->DropResults(cluster_.state.FindJob(revoked.job)->number, revoked.worker);
 }
 
-bool JobJournal::IsOfConvicted(const ResultRecord& result) const {
+bool JobJournal::IsOfSetAside(const ResultRecord& result) const {
   if (result.worker.empty()) return false;
   const ClusterLock lock(cluster_.mutex);
-  return cluster_.trust.IsConvicted(result.worker);
+  return cluster_.trust.IsSetAside(result.worker);
 }
 
 absl::StatusOr<TaskContents> JobJournal::Recall(const std::string& job, std::vector<TaskSpec>& tasks) const {
@@ -114,7 +114,7 @@ absl::StatusOr<TaskContents> JobJournal::Recall(const std::string& job, std::vec
       task.lost_workers = std::move(found->lost_workers);
       continue;
     }
-    if (IsOfConvicted(*found)) continue;  // it is computed again
+    if (IsOfSetAside(*found)) continue;  // it is computed again
     if (found->state == TaskState::kCommitted && !found->content) {
       absl::StatusOr<std::string> blob = blobs->Read(found->output);
       if (!blob.ok()) continue;  // it was lost or damaged: the task is done again

@@ -35,7 +35,7 @@ class JobJournal {
   // What a worker gave in a job is to be done again.
   void DropResults(const Revoked& revoked) const;
 
-  // Adds to `tasks` what earlier processes know of them, but for results of workers that are convicted. Returns the
+  // Adds to `tasks` what earlier processes know of them, but for results of workers that are set aside. Returns the
   // contents of the known ones in order. Takes the lock. kDataLoss if the journal is damaged.
   absl::StatusOr<TaskContents> Recall(const std::string& job, std::vector<TaskSpec>& tasks) const;
 
@@ -44,7 +44,7 @@ class JobJournal {
 
  private:
   // Takes the lock.
-  bool IsOfConvicted(const ResultRecord& result) const;
+  bool IsOfSetAside(const ResultRecord& result) const;
   Cluster& cluster_;
 };
 

@@ -61,8 +61,8 @@ void StateUpdates::Settle(const SettledTask& task, std::optional<std::string> co
 }
 
 void StateUpdates::TakeVerdicts(const Effects& effects) {
-  if (effects.suspected.empty() && effects.convicted.empty() && effects.cleared.empty()) return;
-  for (const Blamed& blamed : effects.convicted) {
+  if (effects.suspected.empty() && effects.set_aside.empty() && effects.cleared.empty()) return;
+  for (const Blamed& blamed : effects.set_aside) {
     cluster_.trust.SetAside(blamed.worker, blamed.reason);
     cluster_.journal->PutSetAside({blamed.worker, blamed.reason});
     cluster_.events.WorkerSetAside(blamed.worker, blamed.reason);
@@ -76,7 +76,7 @@ void StateUpdates::TakeVerdicts(const Effects& effects) {
   }
   cluster_.metrics.ShowTrust(cluster_.trust.Count());
   cluster_.work_changed.notify_all();
-  for (const auto* blamed : {&effects.convicted, &effects.suspected}) {
+  for (const auto* blamed : {&effects.set_aside, &effects.suspected}) {
     for (const auto& [worker, reason] : *blamed) Apply(WorkerLeft{worker}).IgnoreError();  // others do what it holds
   }
 }

@@ -109,7 +109,7 @@ std::string WorkerTrust::WhySetAside(const std::string& worker) const {
   return reason == set_aside_.end() ? "" : reason->second.reason;
 }
 
-bool WorkerTrust::IsConvicted(const std::string& worker) const {
+bool WorkerTrust::IsSetAside(const std::string& worker) const {
   const auto aside = set_aside_.find(worker);
   return aside != set_aside_.end() && aside->second.is_for_good;
 }

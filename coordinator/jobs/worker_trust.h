@@ -46,7 +46,7 @@ class WorkerTrust {
   std::string WhySetAside(const std::string& worker) const;
 
   // Whether it is set aside for good.
-  bool IsConvicted(const std::string& worker) const;
+  bool IsSetAside(const std::string& worker) const;
 
   bool MayWorkOn(const std::string& worker, const std::string& job) const;
 

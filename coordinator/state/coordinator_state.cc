@@ -182,7 +182,7 @@ absl::StatusOr<Effects> On(const JobForgotten& event, StateTables& state) {
 absl::StatusOr<Effects> CoordinatorState::Apply(const Event& event) {
   absl::StatusOr<Effects> effects = std::visit([this](const auto& e) { return On(e, tables_); }, event);
   if (!effects.ok()) return effects;
-  RevokeOfConvicted(tables_.jobs, *effects);
+  RevokeOfSetAside(tables_.jobs, *effects);
   KeepDisprovedSuspected(tables_.jobs, *effects);
   return effects;
 }

@@ -15,9 +15,9 @@
 //  - A task whose results were refused goes to another worker. It has failed when `max_refusals` workers gave a wrong
 //    result, when two gave the same, or when nobody is left who might do better (task_choice.h): then the fault is not
 //    theirs. If another does it well, the fault was theirs.
-//  - When a worker is convicted, all its results in jobs that are not over are revoked.
+//  - When a worker is set aside, all its results in jobs that are not over are revoked.
 //  - When an accepted result turns out to be wrong, its worker's results in that job are revoked.
-//    The worker gets no task until the job ends. If the job ends well, the worker is convicted.
+//    The worker gets no task until the job ends. If the job ends well, the worker is set aside.
 //    If this happens with `max_refusals` workers of one job, the fault is not theirs.
 //  - A job takes at most one worker away from the others before that is known: the first whose result it refuses. When
 //    it refuses those of a second, that speaks against the job, and both work on.

@@ -238,11 +238,11 @@ struct Effects {
   // Who is to get no task until it is cleared: the first worker whose result a job refuses.
   std::vector<Blamed> suspected;
   // Who is to get no task any more: another worker has done the same task well.
-  std::vector<Blamed> convicted;
-  // Who is suspected no more, unless it was convicted: what it was suspected of was the job's fault, or is of no
+  std::vector<Blamed> set_aside;
+  // Who is suspected no more, unless it was set aside: what it was suspected of was the job's fault, or is of no
   // interest any more.
   std::vector<std::string> cleared;
-  // Results of workers that were convicted or disproved, in jobs that are not over. The job is to begin again without
+  // Results of workers that were set aside or disproved, in jobs that are not over. The job is to begin again without
   // them (JobRedone).
   std::vector<Revoked> revoked;
 };

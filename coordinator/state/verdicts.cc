@@ -36,7 +36,7 @@ void JudgeRefusals(Job& job, Task& task, Effects& effects) {
     std::map<std::string, int64_t>& refusals = job.doubts.refusals;
     if (const auto count = refusals.find(worker); --count->second == 0) refusals.erase(count);
     if (task.state == TaskState::kCommitted) {
-      effects.convicted.push_back({worker, std::move(refusal.reason)});
+      effects.set_aside.push_back({worker, std::move(refusal.reason)});
     } else {
       effects.cleared.push_back(worker);
     }
@@ -68,15 +68,15 @@ void JudgeDisproved(Job& job, JobState state, Effects& effects) {
   const bool is_good = state == JobState::kDone || state == JobState::kPartial;
   for (auto& [worker, disproof] : std::exchange(job.doubts.disproved, {})) {
     if (is_good && disproof.others_do_it) {
-      effects.convicted.push_back({worker, std::move(disproof.reason)});
+      effects.set_aside.push_back({worker, std::move(disproof.reason)});
     } else {
       effects.cleared.push_back(worker);
     }
   }
 }
 
-void RevokeOfConvicted(JobTable& jobs, Effects& effects) {
-  for (const Blamed& blamed : effects.convicted) {
+void RevokeOfSetAside(JobTable& jobs, Effects& effects) {
+  for (const Blamed& blamed : effects.set_aside) {
     for (const auto& [number, id] : jobs.running()) {
       std::vector<int64_t> tasks = jobs.Find(id)->given.Revoke(blamed.worker);
       if (!tasks.empty()) effects.revoked.push_back({id, blamed.worker, std::move(tasks)});

@@ -25,8 +25,8 @@ absl::StatusOr<Effects> Disprove(int32_t max_refusals, const WorkerDisproved& ev
 // The job ended in `state`.
 void JudgeDisproved(Job& job, JobState state, Effects& effects);
 
-// Revokes all results of the convicted workers in jobs that run.
-void RevokeOfConvicted(JobTable& jobs, Effects& effects);
+// Revokes all results of the workers that are set aside in jobs that run.
+void RevokeOfSetAside(JobTable& jobs, Effects& effects);
 // Clears nobody whom a job that runs has disproved: its tasks are for others.
 void KeepDisprovedSuspected(const JobTable& jobs, Effects& effects);
 

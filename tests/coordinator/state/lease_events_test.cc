@@ -234,13 +234,13 @@ TEST_F(RefusedResultTest, HasFailedWhenThreeWorkersAreWrong) {
   EXPECT_THAT(effects.cleared, ElementsAre("one", "three", "two"));
 }
 
-TEST_F(RefusedResultTest, SuspectsItsWorkerAndConvictsItWhenAnotherDoesTheTaskWell) {
+TEST_F(RefusedResultTest, SuspectsItsWorkerAndSetsItAsideWhenAnotherDoesTheTaskWell) {
   AddJob("a", 1);
   EXPECT_THAT(Refuse("liar", "x").suspected, ElementsAre(WorkerIs("liar")));
   See("good");
   const Effects effects = Complete(Key("a", 1), "good", Lease(Key("a", 1), "good"));
-  ASSERT_THAT(effects.convicted, ElementsAre(WorkerIs("liar")));
-  EXPECT_EQ(effects.convicted[0].reason, "liar said x");
+  ASSERT_THAT(effects.set_aside, ElementsAre(WorkerIs("liar")));
+  EXPECT_EQ(effects.set_aside[0].reason, "liar said x");
   EXPECT_THAT(effects.cleared, IsEmpty());
 }
 
@@ -253,16 +253,16 @@ TEST_F(RefusedResultTest, ThoseOfASecondWorkerSpeakAgainstTheJob) {
   EXPECT_THAT(Refuse("three", "z", 3).suspected, IsEmpty());
 }
 
-TEST_F(RefusedResultTest, TwoLiarsAreBothConvicted) {
+TEST_F(RefusedResultTest, TwoLiarsAreBothSetAside) {
   AddJob("a", 2);
   Refuse("one", "x", 1);
   Refuse("two", "y", 2);
   See("good", 2);
-  EXPECT_THAT(Complete(Key("a", 1), "good", Lease(Key("a", 1), "good")).convicted, ElementsAre(WorkerIs("one")));
-  EXPECT_THAT(Complete(Key("a", 2), "good", Lease(Key("a", 2), "good")).convicted, ElementsAre(WorkerIs("two")));
+  EXPECT_THAT(Complete(Key("a", 1), "good", Lease(Key("a", 1), "good")).set_aside, ElementsAre(WorkerIs("one")));
+  EXPECT_THAT(Complete(Key("a", 2), "good", Lease(Key("a", 2), "good")).set_aside, ElementsAre(WorkerIs("two")));
 }
 
-TEST_F(RefusedResultTest, OneAfterAnotherIsConvicted) {
+TEST_F(RefusedResultTest, OneAfterAnotherIsSetAside) {
   AddJob("a", 2);
   Refuse("one", "x", 1);
   See("good");

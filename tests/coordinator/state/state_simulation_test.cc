@@ -32,7 +32,7 @@ TEST(StateSimulationTest, NothingIsLostOrDoneTwiceInManyHistories) {
   const int64_t seeds = NumberFrom("TILEMEND_SEEDS", 2000), first = NumberFrom("TILEMEND_FIRST_SEED", 0);
   const auto start = std::chrono::steady_clock::now();
   Tally sum;
-  int64_t jobs = 0, done = 0, partial = 0, cancelled = 0, failed = 0, convicted = 0;
+  int64_t jobs = 0, done = 0, partial = 0, cancelled = 0, failed = 0, set_aside = 0;
   for (int64_t seed = first; seed < first + seeds; ++seed) {
     const auto number = static_cast<uint64_t>(seed);
     const HistoryResult result = RunHistory(number, FaultsOf(number));
@@ -43,7 +43,7 @@ TEST(StateSimulationTest, NothingIsLostOrDoneTwiceInManyHistories) {
     const Tally& t = result.tally;
     sum.events += t.events, sum.crashes += t.crashes, sum.refused_late += t.refused_late, sum.struck += t.struck;
     sum.quarantined += t.quarantined, sum.failed += t.failed, sum.doubled += t.doubled, sum.committed += t.committed;
-    sum.suspected += t.suspected, sum.cleared += t.cleared, convicted += std::ssize(result.convicted);
+    sum.suspected += t.suspected, sum.cleared += t.cleared, set_aside += std::ssize(result.set_aside);
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::printf(
@@ -52,10 +52,10 @@ TEST(StateSimulationTest, NothingIsLostOrDoneTwiceInManyHistories) {
       "%ld failed, %ld quarantined, %ld late results refused, %ld strikes, %ld second attempts, %ld workers suspected, "
       "%ld cleared, %ld set aside, %ld times revoked, %ld coordinators ended: 0 invariants broken\n",
       seeds, sum.events, seconds, jobs, done, partial, cancelled, failed, sum.committed, sum.failed, sum.quarantined,
-      sum.refused_late, sum.struck, sum.doubled, sum.suspected, sum.cleared, convicted, sum.revoked, sum.crashes);
+      sum.refused_late, sum.struck, sum.doubled, sum.suspected, sum.cleared, set_aside, sum.revoked, sum.crashes);
   if (seeds < 1000) return;
   for (const int64_t seen : {done, partial, cancelled, sum.refused_late, sum.struck, sum.quarantined, sum.doubled,
-                             sum.suspected, sum.cleared, sum.revoked, failed, convicted}) {
+                             sum.suspected, sum.cleared, sum.revoked, failed, set_aside}) {
     EXPECT_GT(seen, 0) << "the histories are too calm";
   }
 }
@@ -112,20 +112,20 @@ TEST(StateSimulationTest, ATaskThatKillsWorkersTakesNoOtherWithIt) {
 }
 
 TEST(StateSimulationTest, ALiarIsSetAsideAndNobodyElseIs) {
-  int convicted = 0;
+  int set_aside = 0;
   for (uint64_t seed = 0; seed < 500; ++seed) {
     Faults faults;
     faults.liar = true;
     const HistoryResult result = RunHistory(seed, faults);
     ExpectSound(result);
-    convicted += result.convicted.empty() ? 0 : 1;
+    set_aside += result.set_aside.empty() ? 0 : 1;
   }
-  EXPECT_GT(convicted, 400);  // in some it comes too late for a task
+  EXPECT_GT(set_aside, 400);  // in some it comes too late for a task
 }
 
 // A job fails only if one swindler after the other comes, or there is nobody else.
 TEST(StateSimulationTest, WhatASwindlerGaveIsDoneAgainByOthers) {
-  int convicted = 0, jobs = 0, failed = 0;
+  int set_aside = 0, jobs = 0, failed = 0;
   int64_t revoked = 0;
   for (uint64_t seed = 0; seed < 500; ++seed) {
     Faults faults;
@@ -136,11 +136,11 @@ TEST(StateSimulationTest, WhatASwindlerGaveIsDoneAgainByOthers) {
     ExpectSound(result);
     EXPECT_EQ(result.done + result.failed, result.jobs) << seed;
     jobs += result.jobs, failed += result.failed;
-    convicted += result.convicted.empty() ? 0 : 1;
+    set_aside += result.set_aside.empty() ? 0 : 1;
     revoked += result.tally.revoked;
   }
   EXPECT_GT(revoked, 200);
-  EXPECT_GT(convicted, 100);
+  EXPECT_GT(set_aside, 100);
   EXPECT_LT(failed, jobs / 10);
 }
 
@@ -153,7 +153,7 @@ TEST(StateSimulationTest, AJobWhoseResultsAreAllWrongIsPartialAndCostsNoOtherAWo
     ExpectSound(result);
     EXPECT_EQ(result.partial, 1) << seed;
     EXPECT_EQ(result.done, result.jobs - 1) << seed;
-    EXPECT_TRUE(result.convicted.empty()) << seed;
+    EXPECT_TRUE(result.set_aside.empty()) << seed;
   }
 }
 

@@ -34,7 +34,7 @@ TEST_F(RevokedResultsTest, AllThatItGaveInJobsThatRunIsRevoked) {
   Give("a", 3, "liar");
   Do(JobFinished{"over", JobState::kDone, now_});
   const Effects effects = CatchInTheAct(Key("a", 4), "liar");
-  ASSERT_THAT(effects.convicted, SizeIs(1));
+  ASSERT_THAT(effects.set_aside, SizeIs(1));
   ASSERT_THAT(effects.revoked, SizeIs(2));
   EXPECT_EQ(effects.revoked[0].job, "a");
   EXPECT_EQ(effects.revoked[0].worker, "liar");
@@ -73,15 +73,15 @@ TEST_F(RevokedResultsTest, AJobThatIsDoneAgainHasNoTasksUntilTheyAreAdded) {
   EXPECT_EQ(Counts("a").committed, 1);
 }
 
-TEST_F(RevokedResultsTest, AWorkerWhoseResultIsFalseIsConvictedWhenTheJobEndsWell) {
+TEST_F(RevokedResultsTest, AWorkerWhoseResultIsFalseIsSetAsideWhenTheJobEndsWell) {
   AddJob("a", 1);
   const Effects effects = Disprove("liar");
   ASSERT_THAT(effects.suspected, SizeIs(1));
   EXPECT_EQ(effects.suspected[0].worker, "liar");
   EXPECT_THAT(Do(JobRedone{"a"}).cleared, IsEmpty());
   const Effects end = Do(JobFinished{"a", JobState::kDone, now_});
-  ASSERT_THAT(end.convicted, SizeIs(1));
-  EXPECT_EQ(end.convicted[0].reason, "it lied");
+  ASSERT_THAT(end.set_aside, SizeIs(1));
+  EXPECT_EQ(end.set_aside[0].reason, "it lied");
 }
 
 TEST_F(RevokedResultsTest, NobodyIsClearedWhileAnotherJobHasDisprovedIt) {
@@ -95,7 +95,7 @@ TEST_F(RevokedResultsTest, WhereTheJobFailsItIsNobodysFault) {
   AddJob("a", 1);
   Disprove("liar");
   const Effects end = Do(JobFinished{"a", JobState::kFailed, now_});
-  EXPECT_THAT(end.convicted, IsEmpty());
+  EXPECT_THAT(end.set_aside, IsEmpty());
   EXPECT_THAT(end.cleared, ElementsAre("liar"));
 }
 
@@ -103,7 +103,7 @@ TEST_F(RevokedResultsTest, TheOnlyWorkerIsGivenOneMoreChance) {
   AddJob("a", 1);
   EXPECT_THAT(Disprove("only", false).suspected, IsEmpty());
   EXPECT_FALSE(state_.Apply(WorkerDisproved{"a", "only", "again", false}).ok());
-  EXPECT_THAT(Do(JobFinished{"a", JobState::kDone, now_}).convicted, IsEmpty());
+  EXPECT_THAT(Do(JobFinished{"a", JobState::kDone, now_}).set_aside, IsEmpty());
 }
 
 TEST_F(RevokedResultsTest, ThatManyWorkersLieIsNotBelieved) {

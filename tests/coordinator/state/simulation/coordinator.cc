@@ -138,9 +138,9 @@ std::optional<Effects> Coordinator::Apply(const Event& event) {
 }
 
 void Coordinator::TakeVerdicts(const Effects& effects) {
-  for (const auto& [worker, reason] : effects.convicted) {
+  for (const auto& [worker, reason] : effects.set_aside) {
     set_aside_.insert(worker);
-    convicted_.insert(worker);
+    set_aside_.insert(worker);
     suspected_.erase(worker);
     store_.PutSetAside({worker, reason});
   }
@@ -151,7 +151,7 @@ void Coordinator::TakeVerdicts(const Effects& effects) {
     suspected_.insert(worker);
   }
   for (const std::string& worker : effects.cleared) tally_.cleared += static_cast<int64_t>(suspected_.erase(worker));
-  for (const auto* blamed : {&effects.convicted, &effects.suspected}) {
+  for (const auto* blamed : {&effects.set_aside, &effects.suspected}) {
     for (const auto& [worker, reason] : *blamed) {
       if (state_->FindWorker(worker) != nullptr) Apply(WorkerLeft{worker});
     }

@@ -127,8 +127,8 @@ class History {
   void Judge() {
     std::vector<std::string>& broken = result_.broken;
     result_.tally = coordinator_.tally();
-    result_.convicted = coordinator_.convicted();
-    for (const std::string& worker : result_.convicted) {
+    result_.set_aside = coordinator_.set_aside();
+    for (const std::string& worker : result_.set_aside) {
       if (!has_liar_ || !absl::StartsWith(worker, "w0.")) broken.push_back(worker + " was set aside, but is honest");
     }
     coordinator_.CheckEnd();

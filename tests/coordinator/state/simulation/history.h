@@ -15,7 +15,7 @@ struct HistoryResult {
   std::vector<std::string> broken;  // what must never be
   Tally tally;
   int jobs = 0, done = 0, partial = 0, cancelled = 0, failed = 0;
-  std::set<std::string> convicted;  // workers that were set aside
+  std::set<std::string> set_aside;  // workers that were set aside
 };
 
 // Each fault in some histories and not in others.
