@@ -22,7 +22,6 @@ namespace {
 constexpr double kApart = 2e-2;  // metres: so far beyond another one a way comes to the outline
 constexpr double kOverlaps = 8;  // the surface of a piece ends at most so many reaches before that of the next begins
 
-constexpr double kOutlineWeight = 0.5;  // of a metre along the outline of a piece, against one across
 // Edges that a way follows at either end. Each vertex of the one end is compared with those of the other, so it bounds
 // their pairs to a million where the outline of a piece has edges of a centimetre.
 constexpr int64_t kMostFollowed = 1000;

@@ -14,6 +14,9 @@
 
 namespace tilemend {
 
+// Of a metre along the outline of a piece or tile, against one across.
+inline constexpr double kOutlineWeight = 0.5;
+
 // A rectangle by Side. Places on it are metres counter-clockwise from the south-west corner.
 struct Outline {
   std::array<double, 4> side{};
@@ -40,8 +43,8 @@ struct OutlineGap {
   // The axes across the outlines, of the tile or of a piece, that its ends are on; those of the link, if there is one.
   // Empty: level ones, or none.
   std::optional<int> from_across = {}, to_across = {};
-  // Between pieces: edges of their outlines that lead from `to` to the end of the link, and from its beginning to
-  // `from`. They bound the hole. The link is what is left of the way; none: it is all of the way.
+  // Between pieces, and above runs (closed_runs.h): edges of outlines that lead from `to` to the end of the link, and
+  // from its beginning to `from`. They bound the hole. The link is what is left of the way; none: it is all of the way.
   std::vector<int32_t> along = {};
   std::optional<std::pair<int32_t, int32_t>> link = {};
 };

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -103,6 +104,46 @@ TEST(ClosedRunsTest, ARunThatGapsLeadThroughStaysBetweenThem) {
   house.Join();
   EXPECT_EQ(house.gaps[0].to, roof);
   EXPECT_EQ(house.gaps[1].to, east);
+}
+
+// A street, a rest of the ground below a tree, and the tree's lower side, which runs backward.
+struct Tree : Profile {
+  int32_t street = Add(4, 3.4), ground = Add(9.9, 3.1), crown = Add(11.5, 6.3), bend = Add(10.3, 6.5);
+  int32_t trunk = Add(9.7, 7.2);
+
+  Tree() {
+    AddRun({Add(0, 3.4), street});
+    AddRun({ground, Add(12.1, 3.7)});
+    AddRun({crown, bend, trunk});
+    AddOpen(street, crown);
+    AddClosed(trunk, ground);
+  }
+};
+
+TEST(ClosedRunsTest, TheStreetEndsAtTheGroundBelowATree) {
+  Tree tree;
+  tree.Join();
+  EXPECT_EQ(tree.gaps[0].to, tree.ground);
+  EXPECT_TRUE(tree.gaps[0].open);
+  EXPECT_EQ(tree.gaps[1].to, tree.crown);
+  EXPECT_FALSE(tree.gaps[1].open);
+}
+
+TEST(ClosedRunsTest, AHoleAboveARunEndsAtTheRun) {
+  Tree tree;
+  tree.Join();
+  EXPECT_EQ(tree.gaps[0].along, std::vector<int32_t>());
+  EXPECT_EQ(tree.gaps[1].along, std::vector<int32_t>({2, 3}));
+  EXPECT_EQ(tree.gaps[1].link, std::pair(tree.trunk, tree.trunk));
+}
+
+TEST(ClosedRunsTest, AHoleEndsStraightWhereTheRunIsADetour) {
+  Tree tree;
+  tree.record.vertices[tree.bend].position.z() = 11;
+  tree.Join();
+  EXPECT_EQ(tree.gaps[1].to, tree.crown);
+  EXPECT_EQ(tree.gaps[1].along, std::vector<int32_t>());
+  EXPECT_EQ(tree.gaps[1].link, std::nullopt);
 }
 
 TEST(ClosedRunsTest, GapsThatEndOffTheOutlineStay) {
