@@ -18,55 +18,17 @@ struct GapEnd {
   bool begins = false;  // the gap; else it ends there
 };
 
-// A gap by its ends, into those along the outline.
-struct Way {
-  size_t from = 0, to = 0;
-};
-
-class RunJoiner {
+// The surface along the outline, from one end of a gap to the next.
+class OutlineRuns {
  public:
-  RunJoiner(const SurveyRecord& record, const Outline& outline, std::span<OutlineGap> gaps)
-      : record_(record), outline_(outline), gaps_(gaps), is_end_(record.vertices.size(), false), ways_(gaps.size()) {
-    for (size_t g = 0; g < gaps.size(); ++g) {
-      const std::optional<double> from = PlaceOf(gaps[g].from), to = PlaceOf(gaps[g].to);
-      if (!from || !to) continue;
-      ends_.push_back({*from, gaps[g].from, g, true});
-      ends_.push_back({*to, gaps[g].to, g, false});
+  OutlineRuns(const SurveyRecord& record, const std::vector<bool>& on_outline, const Outline& outline,
+              std::span<const GapEnd> ends)
+      : record_(record), outline_(outline), leaving_(record.vertices.size(), -1), is_end_(record.vertices.size()) {
+    for (size_t e = 0; e < record.edges.size(); ++e) {
+      if (on_outline[e]) leaving_[record.edges[e].from] = static_cast<int32_t>(e);
     }
-    std::ranges::sort(ends_, {}, [](const GapEnd& e) { return std::tuple(e.place, e.vertex, e.begins, e.gap); });
-    for (size_t i = 0; i < ends_.size(); ++i) {
-      (ends_[i].begins ? ways_[ends_[i].gap].from : ways_[ends_[i].gap].to) = i;
-      is_end_[ends_[i].vertex] = true;
-    }
+    for (const GapEnd& end : ends) is_end_[end.vertex] = true;
   }
-
-  void Run(const std::vector<bool>& on_outline) {
-    leaving_.assign(record_.vertices.size(), -1);
-    for (size_t e = 0; e < record_.edges.size(); ++e) {
-      if (on_outline[e]) leaving_[record_.edges[e].from] = static_cast<int32_t>(e);
-    }
-    for (const GapEnd& end : ends_) {
-      if (end.begins && !RunOf(gaps_[end.gap]).empty()) {
-        Join(end.gap, [&](const Way& closed, const Way& street) { return GainOf(closed, street); });
-      }
-    }
-    for (const GapEnd& end : ends_) {
-      if (!end.begins) continue;
-      Join(end.gap, [&](const Way& a, const Way& b) { return AreNested(a, b) ? LeastGainOf(a, b) : 0; });
-    }
-    for (size_t g = 0; g < gaps_.size(); ++g) {
-      if (HasWay(g) && !gaps_[g].open) Follow(gaps_[g]);
-    }
-  }
-
- private:
-  std::optional<double> PlaceOf(int32_t v) const {
-    const Point3& p = record_.vertices[v].position;
-    const std::optional<Side> side = outline_.SideAt(p);
-    return side ? std::optional(outline_.PlaceOf(p, *side)) : std::nullopt;
-  }
-
-  bool HasWay(size_t gap) const { return ways_[gap].from != ways_[gap].to; }
 
   // The edges of the run at a gap's end, if it leads to the gap's beginning; else none.
   std::vector<int32_t> RunOf(const OutlineGap& gap) const {
@@ -89,11 +51,66 @@ class RunJoiner {
     for (const int32_t e : run) {
       const Point3 &from = place(record_.edges[e].from), &to = place(record_.edges[e].to);
       length += (to - from).norm();
-      ahead += std::remainder(*PlaceOf(record_.edges[e].to) - *PlaceOf(record_.edges[e].from), outline_.Length());
+      ahead += std::remainder(PlaceOf(record_.edges[e].to) - PlaceOf(record_.edges[e].from), outline_.Length());
     }
     if (run.empty() || ahead > 0 || kOutlineWeight * length >= (place(gap.to) - place(gap.from)).norm()) return;
     gap.along = std::move(run);
     gap.link = {gap.from, gap.from};
+  }
+
+ private:
+  double PlaceOf(int32_t v) const {
+    const Point3& p = record_.vertices[v].position;
+    return outline_.PlaceOf(p, outline_.SideAt(p).value_or(outline_.NearestSide(p)));
+  }
+
+  const SurveyRecord& record_;
+  const Outline& outline_;
+  std::vector<int32_t> leaving_;  // of each vertex: the edge on the outline that leaves it; -1: none
+  std::vector<bool> is_end_;      // of each vertex: whether gaps end there
+};
+
+// A gap by its ends, into those along the outline.
+struct Way {
+  size_t from = 0, to = 0;
+};
+
+class RunJoiner {
+ public:
+  RunJoiner(const SurveyRecord& record, const Outline& outline, std::span<OutlineGap> gaps)
+      : record_(record), outline_(outline), gaps_(gaps), ways_(gaps.size()) {
+    for (size_t g = 0; g < gaps.size(); ++g) {
+      const std::optional<double> from = PlaceOf(gaps[g].from), to = PlaceOf(gaps[g].to);
+      if (!from || !to) continue;
+      ends_.push_back({*from, gaps[g].from, g, true});
+      ends_.push_back({*to, gaps[g].to, g, false});
+    }
+    std::ranges::sort(ends_, {}, [](const GapEnd& e) { return std::tuple(e.place, e.vertex, e.begins, e.gap); });
+    for (size_t i = 0; i < ends_.size(); ++i) {
+      (ends_[i].begins ? ways_[ends_[i].gap].from : ways_[ends_[i].gap].to) = i;
+    }
+  }
+
+  void Run(const std::vector<bool>& on_outline) {
+    const OutlineRuns runs(record_, on_outline, outline_, ends_);
+    for (const GapEnd& end : ends_) {
+      if (!end.begins || runs.RunOf(gaps_[end.gap]).empty()) continue;
+      Join(end.gap, [&](const Way& closed, const Way& street) { return GainOf(closed, street); });
+    }
+    for (const GapEnd& end : ends_) {
+      if (!end.begins) continue;
+      Join(end.gap, [&](const Way& a, const Way& b) { return AreNested(a, b) ? LeastGainOf(a, b) : 0; });
+    }
+    for (const GapEnd& end : ends_) {
+      if (end.begins && !gaps_[end.gap].open) runs.Follow(gaps_[end.gap]);
+    }
+  }
+
+ private:
+  std::optional<double> PlaceOf(int32_t v) const {
+    const Point3& p = record_.vertices[v].position;
+    const std::optional<Side> side = outline_.SideAt(p);
+    return side ? std::optional(outline_.PlaceOf(p, *side)) : std::nullopt;
   }
 
   // With the gap that has an end beside one of its own and gains most.
@@ -185,10 +202,8 @@ class RunJoiner {
   const SurveyRecord& record_;
   const Outline& outline_;
   const std::span<OutlineGap> gaps_;
-  std::vector<bool> is_end_;      // of each vertex: whether gaps end there
-  std::vector<int32_t> leaving_;  // of each vertex: the edge on the outline that leaves it; -1: none
-  std::vector<GapEnd> ends_;      // of gaps with both ends on the outline, along it
-  std::vector<Way> ways_;         // of each gap
+  std::vector<GapEnd> ends_;  // of gaps with both ends on the outline, along it
+  std::vector<Way> ways_;     // of each gap
 };
 
 }  // namespace
