@@ -93,9 +93,29 @@ bool LiesBeyondAnEdge(const SpaceTriangle& other, const SpaceTriangle& t) {
   return false;
 }
 
-// Whether triangles with one common corner, or none, are told apart by a plane halfway between them, or one along an
-// edge: most are, without exact signs.
+// The most that rounding changes of the volume below, as a share of the product of the three lengths: more than the
+// bound of Shewchuk 1997, 4.
+constexpr double kVolumeSlack = 1e-14;
+
+// Whether the corners of `other` that t does not have are surely on one side of its plane.
+bool IsOnOneSide(const SpaceTriangle& other, const SpaceTriangle& t) {
+  const Eigen::Vector3d u = t[1] - t[0], v = t[2] - t[0], normal = u.cross(v);
+  const double most = kVolumeSlack * kVolumeSlack * u.squaredNorm() * v.squaredNorm();
+  int ahead = 0, behind = 0;
+  for (const Point3& p : other) {
+    if (Has(t, p)) continue;
+    const Eigen::Vector3d from = p - t[0];
+    const double volume = normal.dot(from);
+    if (volume * volume <= most * from.squaredNorm()) return false;
+    ++(volume > 0 ? ahead : behind);
+  }
+  return ahead == 0 || behind == 0;
+}
+
+// Whether triangles with one common corner, or none, are told apart by the plane of one of them, by a plane halfway
+// between them, or one along an edge: most are, without exact signs.
 bool IsApart(const SpaceTriangle& a, const SpaceTriangle& b, bool has_common) {
+  if (IsOnOneSide(a, b) || IsOnOneSide(b, a)) return true;
   if (!has_common) {
     const Point3 from = (a[0] + a[1] + a[2]) / 3, to = (b[0] + b[1] + b[2]) / 3;
     return Parts((from + to) / 2, from - to, a, b) || LiesBeyondAnEdge(a, b) || LiesBeyondAnEdge(b, a);

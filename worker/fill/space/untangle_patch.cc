@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <numeric>
 #include <optional>
+#include <random>
 #include <set>
 #include <utility>
 #include <vector>
@@ -32,6 +34,44 @@ constexpr double kMaxRise = 0.25;
 // A bound on the work: changes tried in a patch, some 1,000 for a triangle.
 constexpr int kMaxTries = 50'000;
 constexpr int kTriesPerQuestion = 100;  // whether it is cancelled
+
+// Shakes of a cluster, changes drawn for one until one may be made, and passes after it.
+constexpr int kShakes = 24;
+constexpr int kDraws = 20;
+constexpr int kShakePasses = 4;
+// As kSteps, in those passes: more shakes with fewer steps solve more in the same time.
+constexpr double kShakeSteps[] = {0.25, 0.04};
+constexpr double kMaxWorse = 1;  // weight: by how much a shake may raise it
+
+// The 26 directions, and none.
+Eigen::Vector3d WayOf(int i) {
+  const Eigen::Vector3d way = Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).cast<double>();
+  return way.isZero() ? way : Eigen::Vector3d(way.normalized());
+}
+
+// The first triangle that crosses and is not among `left`, and all that hang together with it.
+std::set<int32_t> NextCluster(const std::vector<PatchCrossing>& crossings, const std::set<int32_t>& left,
+                              const PatchEdit& edit) {
+  std::set<int32_t> cluster, corners;
+  const auto add = [&](int32_t t) {
+    if (t < 0 || left.contains(t) || !cluster.insert(t).second) return;
+    corners.insert(edit.Corners(t).begin(), edit.Corners(t).end());
+  };
+  const auto belongs = [&](int32_t t) {
+    return t >= 0 && (cluster.contains(t) ||
+                      std::ranges::any_of(edit.Corners(t), [&](int32_t v) { return corners.contains(v); }));
+  };
+  for (size_t before = 0; before == 0 || before != cluster.size();) {
+    before = cluster.size();
+    for (const auto& [pair, points] : crossings) {
+      if (!cluster.empty() && !belongs(pair.a) && !belongs(pair.b)) continue;
+      add(pair.a);
+      add(pair.b);
+    }
+    if (cluster.empty()) break;
+  }
+  return cluster;
+}
 
 class Untangler {
  public:
@@ -62,13 +102,9 @@ class Untangler {
 
   void Run() {
     LocalPatch before = patch_;
-    std::set<int32_t> left;  // triangles that cross in the end
-    for (;;) {
-      const std::set<int32_t> cluster = NextCluster(left);
-      if (cluster.empty() || IsAtEnd()) break;
-      const std::set<int32_t> rest = Untangle(cluster);
-      left.insert(rest.begin(), rest.end());
-    }
+    ForEachCluster([&](const std::set<int32_t>& cluster) { return Untangle(cluster); });
+    steps_ = kShakeSteps;
+    ForEachCluster([&](const std::set<int32_t>& cluster) { return Shake(cluster); });
     edit_.Finish();
     if (!outline_.TellLeft(patch_)) patch_ = std::move(before);
   }
@@ -76,58 +112,101 @@ class Untangler {
  private:
   bool IsAtEnd() const { return tries_ > kMaxTries || is_ended_ || (is_cancelled_ && is_cancelled_()); }
 
-  std::set<int32_t> Crossed() const {
+  // Calls use(cluster), which returns those that cross afterwards instead of the cluster, for all that hang together.
+  template <typename Use>
+  void ForEachCluster(const Use& use) {
+    std::set<int32_t> left;  // triangles that cross in the end
+    for (;;) {
+      const std::set<int32_t> cluster = NextCluster(crossings_.Avoidable(), left, edit_);
+      if (cluster.empty() || IsAtEnd()) break;
+      made_.clear();
+      const std::set<int32_t> rest = use(cluster);
+      left.insert(rest.begin(), rest.end());
+    }
+  }
+
+  std::set<int32_t> CrossedBut(const std::set<int32_t>& others) const {
     std::set<int32_t> crossed;
     for (const PatchCrossing& c : crossings_.Avoidable()) crossed.insert({c.pair.a, c.pair.b});
-    crossed.erase(crossed.begin(), crossed.lower_bound(0));
+    std::erase_if(crossed, [&](int32_t t) { return t < 0 || others.contains(t); });
     return crossed;
   }
 
-  // The first triangle that crosses and is not among `left`, and all that hang together with it.
-  std::set<int32_t> NextCluster(const std::set<int32_t>& left) const {
-    const std::vector<PatchCrossing> crossings = crossings_.Avoidable();
-    std::set<int32_t> cluster, corners;
-    const auto add = [&](int32_t t) {
-      if (t < 0 || left.contains(t) || !cluster.insert(t).second) return;
-      corners.insert(edit_.Corners(t).begin(), edit_.Corners(t).end());
-    };
-    const auto belongs = [&](int32_t t) {
-      return t >= 0 && (cluster.contains(t) ||
-                        std::ranges::any_of(edit_.Corners(t), [&](int32_t v) { return corners.contains(v); }));
-    };
-    for (size_t before = 0; before == 0 || before != cluster.size();) {
-      before = cluster.size();
-      for (const auto& [pair, points] : crossings) {
-        if (!cluster.empty() && !belongs(pair.a) && !belongs(pair.b)) continue;
-        add(pair.a);
-        add(pair.b);
-      }
-      if (cluster.empty()) break;
-    }
+  std::set<int32_t> Untangle(const std::set<int32_t>& cluster) {
+    const std::set<int32_t> now = Descend(cluster, CrossedBut(cluster), kMaxPasses);
+    if (now.size() <= cluster.size()) return now;
+    UndoTo(0);
     return cluster;
   }
 
-  // Returns those that cross afterwards instead of the cluster.
-  std::set<int32_t> Untangle(const std::set<int32_t>& cluster) {
-    std::set<int32_t> others = Crossed(), now = cluster;
-    for (const int32_t t : cluster) others.erase(t);
-    made_.clear();
-    for (int pass = 0; pass < kMaxPasses && !now.empty(); ++pass) {
+  // Returns those that cross after passes of improvements, but for `others`.
+  std::set<int32_t> Descend(std::set<int32_t> now, const std::set<int32_t>& others, int passes) {
+    for (int pass = 0; pass < passes && !now.empty(); ++pass) {
       const double before = crossings_.weight();
       for (const int32_t t : now) {
         if (!edit_.IsGone(t) && !IsAtEnd()) Improve(t);
       }
-      now = Crossed();
-      std::erase_if(now, [&](int32_t t) { return others.contains(t); });
+      now = CrossedBut(others);
       if (crossings_.weight() > (1 - kMinGain) * before) break;
     }
-    if (now.size() <= cluster.size()) return now;
-    UndoAll();
-    return cluster;
+    return now;
   }
 
-  void UndoAll() {
-    for (; !made_.empty(); made_.pop_back()) {
+  // Leaves a local minimum (iterated local search, Lourenço 2003): makes a change drawn by chance, and improves from
+  // there. Keeps that if fewer cross, or as many along shorter curves.
+  std::set<int32_t> Shake(const std::set<int32_t>& cluster) {
+    const std::set<int32_t> others = CrossedBut(cluster);
+    std::set<int32_t> now = cluster;
+    for (int shake = 0; shake < kShakes && !now.empty() && !IsAtEnd(); ++shake) {
+      const size_t made = made_.size();
+      const double before = crossings_.weight();
+      if (!ChangeByChance(now)) continue;
+      std::set<int32_t> then = Descend(CrossedBut(others), others, kShakePasses);
+      if (then.size() < now.size() || (then.size() == now.size() && crossings_.weight() < before - kMinLess)) {
+        now = std::move(then);
+      } else {
+        UndoTo(made);
+      }
+    }
+    return now;
+  }
+
+  size_t DrawBelow(size_t end) { return random_() % end; }
+
+  // At one of some triangles or beside them. Returns false if none that was drawn may be made.
+  bool ChangeByChance(const std::set<int32_t>& triangles) {
+    std::set<int32_t> found;
+    for (const int32_t t : triangles) {
+      for (const int32_t v : edit_.Corners(t)) {
+        for (const int32_t beside : edit_.TrianglesAt(v)) found.insert(beside);
+      }
+    }
+    const std::vector<int32_t> around(found.begin(), found.end());
+    for (int draw = 0; draw < kDraws; ++draw) {
+      const int32_t t = around[DrawBelow(around.size())];
+      const SpaceTriangle& p = edit_.Placed(t);
+      const auto changes = ChangesAt(t, (p[0] + p[1] + p[2]) / 3, NextPoint(), hole_, edit_, outline_);
+      if (changes.empty()) continue;
+      best_.reset();
+      least_ = crossings_.weight() + kMaxWorse;
+      const auto& [change, places] = changes[DrawBelow(changes.size())];
+      if (places.empty()) {
+        Try(change);
+      } else {
+        const auto& [place, size] = places[DrawBelow(places.size())];
+        const double step = kSteps[DrawBelow(std::size(kSteps))];
+        TryAt(place + step * size * WayOf(static_cast<int>(DrawBelow(27))), IsWaterAt(place), change);
+      }
+      if (!best_) continue;
+      Make(*best_);
+      return true;
+    }
+    return false;
+  }
+
+  // The last changes of a cluster, but for the first `made`.
+  void UndoTo(size_t made) {
+    for (; made_.size() > made; made_.pop_back()) {
       const auto& [first, out] = made_.back();
       crossings_.Undo(out, first);
       edit_.TakeOutFrom(first);
@@ -157,19 +236,22 @@ class Untangler {
 
   int32_t NextPoint() const { return hole_.size() + static_cast<int32_t>(patch_.new_points.size()); }
 
-  // With its new point at a place and around it; at the water's level if the place is there.
-  void TryPlaces(PatchChange change, const Point3& place, double size) {
-    const bool is_water = hole_.WaterLevelAt(place.head<2>()) == hole_.Storable(place).z();
-    const auto try_at = [&](const Point3& p) {
-      change.point = hole_.Storable(p);
-      if (is_water) change.point->z() = *hole_.WaterLevelAt(p.head<2>());
-      if (taken_.Find(*change.point) < 0) Try(change);
-    };
-    try_at(place);
-    for (const double step : kSteps) {
+  bool IsWaterAt(const Point3& place) const { return hole_.WaterLevelAt(place.head<2>()) == hole_.Storable(place).z(); }
+
+  // With its new point at a place, or at the water's level there.
+  void TryAt(const Point3& place, bool is_water, PatchChange change) {
+    change.point = hole_.Storable(place);
+    if (is_water) change.point->z() = *hole_.WaterLevelAt(place.head<2>());
+    if (taken_.Find(*change.point) < 0) Try(change);
+  }
+
+  // At a place and around it; at the water's level if the place is there.
+  void TryPlaces(const PatchChange& change, const Point3& place, double size) {
+    const bool is_water = IsWaterAt(place);
+    TryAt(place, is_water, change);
+    for (const double step : steps_) {
       for (int i = 0; i < 27; ++i) {
-        const Eigen::Vector3d way = Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).cast<double>();
-        if (!way.isZero()) try_at(place + step * size * way.normalized());
+        if (!WayOf(i).isZero()) TryAt(place + step * size * WayOf(i), is_water, change);
       }
     }
   }
@@ -274,6 +356,8 @@ class Untangler {
   std::optional<PatchChange> best_;
   double least_ = 0;  // its weight
   int tries_ = 0;
+  std::span<const double> steps_ = kSteps;
+  std::minstd_rand random_;
   bool is_ended_ = false;  // cancelled
 };
 

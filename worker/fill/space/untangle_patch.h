@@ -18,7 +18,8 @@ namespace tilemend {
 //     are left out (patch_changes.h, free_outline.h)
 // Points move and come in space, where MovePoints keeps to the plan. So a triangle with three vertices of the rim can
 // go around what stands in its way. Triangles that cross each other, or that have a common vertex, are changed
-// together, and are as they were if more of them cross in the end.
+// together, and are as they were if more of them cross in the end. What still crosses then is shaken: a change drawn by
+// chance is made, and improved from there (iterated local search, Lourenço 2003). It stays if fewer triangles cross.
 //   surface       of the input, all within reach
 //   earlier       other patches
 //   is_cancelled  asked before each triangle, and now and then between; true ends it

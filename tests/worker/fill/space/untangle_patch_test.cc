@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -111,6 +112,23 @@ TEST(UntanglePatchAtOutlineTest, EndsOverTheSurfaceBeyond) {
   EXPECT_THAT(crossed(), IsEmpty());
   EXPECT_EQ(FaultOf(hole, patch), FillFailure::kNone);
   EXPECT_THAT(patch.left_edges, Not(IsEmpty()));
+}
+
+// Fins across the ground, between which no single change makes the curves shorter in the end.
+TEST_F(UntanglePatchTest, LeavesALocalMinimum) {
+  std::minstd_rand random(15);
+  const auto draw = [&](double lo, double hi) { return lo + (hi - lo) * static_cast<double>(random() % 1000) / 1000; };
+  surface_.clear();
+  for (int k = 0; k < 4; ++k) {
+    const double y = -5 + draw(-1, 1), x = draw(-1, 1), along_y = draw(-0.4, 0.4), along_x = draw(-0.4, 0.4);
+    const Point3 at(x, y, -0.2), along(along_x, along_y, 0), up(0, 0, draw(0.25, 0.8));
+    surface_.push_back({at, Point3(at + along), Point3(at + 0.5 * along + up)});
+  }
+  CloseWithoutPoints();
+  ASSERT_THAT(Crossed(), Not(IsEmpty()));
+  Untangle();
+  EXPECT_THAT(Crossed(), IsEmpty());
+  EXPECT_EQ(FaultOf(hole_, patch_), FillFailure::kNone);
 }
 
 TEST_F(UntanglePatchTest, LeavesASoundPatchAsItIs) {
