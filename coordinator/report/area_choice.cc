@@ -21,6 +21,12 @@ absl::Status Cover(PlanePolygon area, const std::string& name, Scene& scene) {
   return status.ok() ? status : absl::Status(status.code(), absl::StrCat(name, ": ", std::string(status.message())));
 }
 
+// Of WKT over several lines the first, which has the name.
+std::string ShownCrs(const std::string& crs) {
+  const size_t end = crs.find('\n');
+  return end == std::string::npos ? Printable(crs) : absl::StrCat(Printable(crs.substr(0, end)), "...");
+}
+
 }  // namespace
 
 void CheckCrs(Scene& scene, const std::stop_token& stop) {
@@ -28,7 +34,7 @@ void CheckCrs(Scene& scene, const std::stop_token& stop) {
   const std::string what = fault.ok() ? *fault : absl::StrCat("not checked: ", std::string(fault.status().message()));
   if (what.empty()) return;
   const std::string place = scene.found_by_name ? "/metadata.xml: SRS" : "/scene.json: crs";
-  scene.warnings.push_back(absl::StrCat(scene.root, place, ": '", Printable(scene.crs), "': ", what,
+  scene.warnings.push_back(absl::StrCat(scene.root, place, ": '", ShownCrs(scene.crs), "': ", what,
                                         "; the fill is the same, but files for a GIS carry that name"));
 }
 
