@@ -108,7 +108,7 @@ int RunParsed(const Command& command, const std::vector<std::string>& words) {
     settings = ReadSettings(command.flags, "", std::getenv);
   }
   if (!settings.ok()) return UsageError(std::string(settings.status().message()));
-  const auto args = Args::Parse(command.flags, words, *settings);
+  const auto args = Args::Parse(command.flags, words, *settings, TwoValues::kAreAnError);
   if (!args.ok()) return UsageError(absl::StrCat(command.name, ": ", std::string(args.status().message())));
   const size_t given = args->arguments().size(), least = command.argument_count,
                most = least + command.optional_arguments;

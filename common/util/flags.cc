@@ -142,7 +142,7 @@ std::string HelpLine(const FlagSpec& spec, size_t columns) {
 }  // namespace
 
 absl::StatusOr<Flags> Flags::Parse(const std::vector<FlagSpec>& specs, const std::vector<std::string>& words,
-                                   const std::map<std::string, std::string>& settings) {
+                                   const std::map<std::string, std::string>& settings, TwoValues two_values) {
   CLI::App app;
   TILEMEND_RETURN_IF_ERROR(ParseWords(specs, words, app));
   Flags flags;
@@ -153,7 +153,8 @@ absl::StatusOr<Flags> Flags::Parse(const std::vector<FlagSpec>& specs, const std
     const CLI::Option& option = *app.get_option("--" + spec.name);
     if (option.count() == 0) continue;
     if (!spec.value.empty() && option.results().back().empty()) return EmptyValue(spec);
-    if (!spec.value.empty()) TILEMEND_RETURN_IF_ERROR(CheckGivenOnce(spec, option.results()));
+    const bool may_be_two = two_values == TwoValues::kLastCounts || spec.value.empty();
+    if (!may_be_two) TILEMEND_RETURN_IF_ERROR(CheckGivenOnce(spec, option.results()));
     flags.given_[spec.name] = spec.value.empty() ? "" : option.results().back();
   }
   return flags;

@@ -32,13 +32,18 @@ struct FlagSpec {
   FlagGroup group = FlagGroup::kEveryday;
 };
 
+// A flag with two values: where services are started by scripts the last one counts; a person may mean both.
+enum class TwoValues { kLastCounts, kAreAnError };
+
 // What was given. Asking for a flag that is not in the table is a programmer's mistake and gives "".
 class Flags {
  public:
   // Returns kInvalidArgument for an unknown flag (with the nearest name), a missing value, a value for a switch. The
-  // `settings` are values by name, for what `words` do not give.
+  // `settings` are values by name, for what `words` do not give. The same error for two values of a flag, if they are
+  // one.
   static absl::StatusOr<Flags> Parse(const std::vector<FlagSpec>& specs, const std::vector<std::string>& words,
-                                     const std::map<std::string, std::string>& settings = {});
+                                     const std::map<std::string, std::string>& settings = {},
+                                     TwoValues two_values = TwoValues::kLastCounts);
 
   const std::vector<std::string>& arguments() const { return arguments_; }
   bool IsGiven(const std::string& name) const { return given_.contains(name); }

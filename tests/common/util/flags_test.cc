@@ -47,7 +47,7 @@ TEST(FlagsTest, TakesValuesAsTheyStand) {
   EXPECT_EQ(text({"--out", "[a,b]"}), "[a,b]") << "no list";
   EXPECT_EQ(text({"--out", "--overwrite"}), "--overwrite");
   EXPECT_EQ(text({"--out", "--"}), "--");
-  EXPECT_EQ(text({"--out=same", "--out", "same"}), "same");
+  EXPECT_EQ(text({"--out=first", "--out", "last"}), "last");
   EXPECT_EQ(text({"--out", "\"a b\""}), "\"a b\"");
   EXPECT_EQ(Flags::Parse(Specs(), {"-o=json"})->Text("output"), "json");
   EXPECT_THAT(Flags::Parse(Specs(), {"[a,b]", "%%", "a b"})->arguments(), ElementsAre("[a,b]", "%%", "a b"));
@@ -57,9 +57,13 @@ TEST(FlagsTest, ANegativeNumberIsAnArgument) {
   EXPECT_THAT(Flags::Parse(Specs(), {"job", "-5"})->arguments(), ElementsAre("job", "-5"));
 }
 
-TEST(FlagsTest, TwoValuesOfAFlagAreAnError) {
-  EXPECT_EQ(Flags::Parse(Specs(), {"--out=first", "--out", "last"}).status().message(),
+TEST(FlagsTest, TwoValuesOfAFlagMayBeAnError) {
+  const auto parse = [](const char* first, const char* last) {
+    return Flags::Parse(Specs(), {"--out", first, "--out", last}, {}, TwoValues::kAreAnError);
+  };
+  EXPECT_EQ(parse("first", "last").status().message(),
             "--out is given twice, as first and as last; it takes one value");
+  EXPECT_EQ(parse("same", "same")->Text("out"), "same");
 }
 
 TEST(FlagsTest, SaysWhatIsWrong) {
