@@ -36,7 +36,7 @@ constexpr int kMaxTries = 50'000;
 constexpr int kTriesPerQuestion = 100;  // whether it is cancelled
 
 // Shakes of a cluster, changes drawn for one until one may be made, and passes after it.
-constexpr int kShakes = 24;
+constexpr int kShakes = 16;
 constexpr int kDraws = 20;
 constexpr int kShakePasses = 4;
 // As kSteps, in those passes: more shakes with fewer steps solve more in the same time.
