@@ -140,7 +140,7 @@ std::optional<Effects> Coordinator::Apply(const Event& event) {
 void Coordinator::TakeVerdicts(const Effects& effects) {
   for (const auto& [worker, reason] : effects.set_aside) {
     set_aside_.insert(worker);
-    set_aside_.insert(worker);
+    ever_set_aside_.insert(worker);
     suspected_.erase(worker);
     store_.PutSetAside({worker, reason});
   }

@@ -84,7 +84,7 @@ class Coordinator {
   void CheckEnd() { Require(suspected_.empty(), "a worker waits for the verdict on a job that is over"); }
   const Tally& tally() const { return tally_; }
   // Workers that were set aside, over all processes.
-  const std::set<std::string>& set_aside() const { return set_aside_; }
+  const std::set<std::string>& ever_set_aside() const { return ever_set_aside_; }
 
  private:
   struct Entry {
@@ -136,7 +136,7 @@ class Coordinator {
   std::map<std::string, Entry> entries_;
   std::map<std::string, uint64_t> sequences_;
   std::set<std::string> set_aside_, suspected_;
-  std::set<std::string> set_aside_;
+  std::set<std::string> ever_set_aside_;
   std::map<uint64_t, std::pair<TaskKey, std::string>> valid_;
   std::deque<std::pair<uint64_t, std::function<void()>>> waiting_;
   bool is_committing_ = false;

@@ -127,7 +127,7 @@ class History {
   void Judge() {
     std::vector<std::string>& broken = result_.broken;
     result_.tally = coordinator_.tally();
-    result_.set_aside = coordinator_.set_aside();
+    result_.set_aside = coordinator_.ever_set_aside();
     for (const std::string& worker : result_.set_aside) {
       if (!has_liar_ || !absl::StartsWith(worker, "w0.")) broken.push_back(worker + " was set aside, but is honest");
     }
