@@ -129,7 +129,7 @@ bool Holds(const nlohmann::json& outer, const nlohmann::json& inner) {
   for (const auto& [kind, count] : kKindsOfVolumes) {
     if (!inner.is_object() || !inner.contains(kind)) continue;
     if (!outer.is_object() || !outer.contains(kind)) return false;
-    const auto numbers = [&](const nlohmann::json& volume) {
+    const auto numbers = [kind = kind](const nlohmann::json& volume) {
       std::vector<double> list;
       for (const nlohmann::json& number : volume.at(kind))
         list.push_back(number.is_number() ? number.get<double>() : 0);

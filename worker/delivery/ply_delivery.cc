@@ -58,7 +58,7 @@ std::set<Position> RimOf(const DeliveryPiece& piece) {
       }
       for (size_t k = 0; k < 3; ++k) {
         const int32_t from = at[k], to = at[(k + 1) % 3];
-        if (from != to) edges.push_back({std::minmax(from, to), from < to ? 1 : -1});
+        if (from != to) edges.emplace_back(std::minmax(from, to), from < to ? 1 : -1);
       }
     }
   }
