@@ -21,8 +21,8 @@ struct PlyColumns {
 bool HasImages(const DeliveryTile& tile, const PlyColumns& columns);
 
 // The binary file "`stem`.ply" (first) and the images, with their bytes; those of filled surface last. All pieces are
-// written; equal positions are one vertex, but not in one triangle, nor of two pieces unless both have it on their rims:
-// where these overlap they stay two. Coordinates are float32 if that keeps their bits, else float64.
+// written; equal positions are one vertex, but not in one triangle, nor of two pieces unless both have it on their
+// rims: where these overlap they stay two. Coordinates are float32 if that keeps their bits, else float64.
 //
 // A tile with images has them as MeshLab does: "comment TextureFile NAME", and for each face the image's number
 // (texnumber) and the places of its corners (texcoord). Its faces of one colour get an image of that colour. In a tile
