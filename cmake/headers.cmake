@@ -33,6 +33,8 @@ function(tilemend_precompile_set set)
   target_link_libraries(tilemend_headers_${set} PRIVATE ${ARG_DEPS})
   tilemend_optimise(tilemend_headers_${set} ${set})
   target_precompile_headers(tilemend_headers_${set} PRIVATE ${TILEMEND_${upper}_HEADERS})
+  # ccache took the set of older generated headers for that of new ones.
+  set_target_properties(tilemend_headers_${set} PROPERTIES CXX_COMPILER_LAUNCHER "")
 endfunction()
 
 function(tilemend_precompiled_sets)
