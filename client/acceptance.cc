@@ -164,7 +164,8 @@ class AcceptanceCheck {
     CheckNames(tile, pair);
   }
 
-  // The material files and images. Fills add one at most; where a tile was converted, one for each of their colours.
+  // The material files and images. Fills add one at most; in a converted tile any number, one for each of their
+  // colours.
   void CheckNames(const SceneTile& tile, const ComparedTile& pair) {
     const CheckedTile &before = pair.before, &after = *pair.after;
     const std::string output = OutputPath(tile);

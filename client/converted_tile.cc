@@ -1,5 +1,6 @@
 #include "client/converted_tile.h"
 
+#include <algorithm>
 #include <bit>
 #include <filesystem>
 #include <utility>

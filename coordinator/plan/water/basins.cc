@@ -60,8 +60,8 @@ bool IsOneWater(const Basin& a, const Basin& b, const Basin& joint) {
   if (joint.river) return IsReachOf(*joint.river, a) && IsReachOf(*joint.river, b);
   if (a.river || b.river) return false;
   if (a.is_level() && b.is_level()) return joint.is_level() && IsNear(a, joint) && IsNear(b, joint);
-  const Basin &water = a.is_level() ? a : b, &stub = a.is_level() ? b : a;
-  return joint.evidence.agrees() && HasFootAt(stub.evidence, joint.evidence.level, water.evidence);
+  const Basin &water = a.is_level() ? a : b, &other = a.is_level() ? b : a;
+  return joint.evidence.agrees() && HasFootAt(other.evidence, joint.evidence.level, water.evidence);
 }
 
 // Where a basin is, for the search of others near it.
