@@ -71,6 +71,15 @@ TEST(RaiseSizesAtShortEdgesTest, KeepsThemWhereEdgesAreOfSimilarLength) {
   for (const int p : {1, 2, 3, 4, 5}) EXPECT_DOUBLE_EQ(rim.points[p].size, 0.65);
 }
 
+// The rim is at a height of 800 m, the new vertices on the edge of the area have none yet.
+TEST(RaiseSizesAtShortEdgesTest, TakesEdgesOfTheAreaAsSeenFromAbove) {
+  Rim rim = RunOfEdges({1, 1, 1, 1});
+  for (const int p : {0, 1, 4}) rim.points[p].position.z() = 800;
+  for (const int e : {1, 2, 3}) rim.edges[e].area_edge = true;
+  RaiseSizesAtShortEdges(rim);
+  for (const RimPoint& p : rim.points) EXPECT_DOUBLE_EQ(p.size, 1);
+}
+
 TEST(RaiseSmallSizesTest, DoesNothingWithoutPoints) {
   Rim rim;
   RaiseSmallSizes(0x1p-10, rim);
