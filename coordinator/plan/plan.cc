@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -11,6 +12,7 @@
 
 #include "coordinator/plan/division.h"
 #include "coordinator/plan/drop_vertices.h"
+#include "coordinator/plan/hole/free_pieces.h"
 #include "coordinator/plan/hole/layers.h"
 #include "coordinator/plan/hole/rim_slopes.h"
 #include "coordinator/plan/hole/touching_holes.h"
@@ -311,8 +313,11 @@ Plan PlanGrid(const PlanInput& input, const PlanOptions& options, const TileLayo
 }
 
 // Holes, clusters, layers: all that does not depend on objects and water.
-Plan PlanHoles(const PlanInput& input, const PlanOptions& options, const TileLayout& layout) {
+//   add_pieces  adds those that hang free, and are not in the input
+Plan PlanHoles(const PlanInput& input, const PlanOptions& options, const TileLayout& layout,
+               const std::function<void(Plan&)>& add_pieces = {}) {
   Plan plan = input.has_grid ? PlanGrid(input, options, layout) : PlanMesh(input, options);
+  if (add_pieces && !options.cancelled()) add_pieces(plan);
   plan.remarks.has_polygon = !input.area.empty();
   StoreLayers(plan);
   DecideHoles(options.water.areas, plan, options.is_cancelled);
@@ -358,11 +363,10 @@ KnownWater WaterOfScene(const PlanInput& input, const PlanOptions& options, cons
   return known;
 }
 
-}  // namespace
-
-Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
+//   add_pieces  as of PlanHoles
+Plan PlanScene(const PlanInput& input, const PlanOptions& options, const std::function<void(Plan&)>& add_pieces = {}) {
   TileLayout layout = LayOutTiles(input);
-  Plan plan = PlanHoles(input, options, layout);
+  Plan plan = PlanHoles(input, options, layout, add_pieces);
   plan.float32 = NewTilesAreFloat32(input);
   if (layout.joint && !layout.pieces) plan.remarks.turn = TurnOfTiles(input);
   if (!plan.upright) return options.cancelled() ? Plan() : plan;
@@ -378,6 +382,14 @@ Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   if (options.cancelled()) return {};
   DropUnusedVertices(plan);
   return plan;
+}
+
+}  // namespace
+
+Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
+  const FreePieces pieces = FindFreePieces(input);
+  if (pieces.empty()) return PlanScene(input, options);
+  return PlanScene(WithoutPieces(input, pieces), options, [&](Plan& plan) { AddFreePieces(input, pieces, plan); });
 }
 
 }  // namespace tilemend

@@ -17,7 +17,7 @@ constexpr double kFreeboard = 0.15;                        // metres that ground
 constexpr double kSteepest = 0.1;                          // rise / run; what is higher at the reach is an object
 constexpr double kLeastOfAll = 0.05;                       // of all squares; fewer are a jetty or a spike
 constexpr double kWidestSquares = 0.4;                     // of the reach: wider ones tell nothing
-constexpr int64_t kMinSquares = 10;
+constexpr int64_t kMinSquares = 5, kMinSquaresOfBands = 10;
 
 // The shore of one rim in squares as wide as its reach.
 class ShoreIndex {
@@ -58,7 +58,8 @@ class ShoreIndex {
     const auto is_low = [&](const auto& square) { return square.second.is_ground || square.second.above <= most; };
     const auto lower = static_cast<double>(std::ranges::count_if(lowest_, is_lower));
     const auto low = std::ranges::count_if(lowest_, is_low);
-    if (low < kMinSquares) return {};
+    const bool is_told = std::ranges::any_of(lowest_, [](const auto& square) { return square.second.is_ground; });
+    if (low < (is_told ? kMinSquares : kMinSquaresOfBands)) return {};
     const auto is_sunk = [&](const auto& square) { return square.second.above < -most_above_; };
     const auto known = static_cast<double>(low);
     const bool are_many = lower > kLeastOfAll * static_cast<double>(lowest_.size());

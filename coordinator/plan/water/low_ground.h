@@ -35,8 +35,8 @@ struct GroundAround {
 // square of 1.5 m counts. It is low up to three times the noise of the rim, as bands end where shores are low. What
 // stands 1.5 m and more above the water is an object there, and tells nothing.
 //
-// With fewer than ten squares with ground nothing is known, and the shares are 0. So is `low` if no more than 5 % of
-// all squares are low: a jetty or a spike.
+// With fewer than five squares with ground, or ten of bands, nothing is known, and the shares are 0. So is `low` if no
+// more than 5 % of all squares are low: a jetty or a spike.
 //
 // Cost O(n log n) in the squares and the bands' vertices of the cells around, for each shore there.
 std::vector<GroundAround> GroundAroundShores(const Plan& plan, const PlanInput& input, std::span<const Shore> shores);

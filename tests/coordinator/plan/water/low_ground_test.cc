@@ -70,6 +70,20 @@ TEST(GroundAroundShoresTest, AFewLowSquaresDoNotCount) {
   }
 }
 
+TEST(GroundAroundShoresTest, FiveSquaresWithGroundTell) {
+  Shore shore;
+  shore.mean_edge = 1;
+  for (double k = 0; k < 30; ++k) shore.edges.emplace_back(k, 0, 5);
+  for (const int32_t squares : {4, 5}) {
+    PlanInput input;
+    RimGround& rim = input.rim_ground[{0, 0}];
+    rim.side = 3;
+    for (int32_t col = 0; col < squares; ++col) rim.around.push_back({col, 3, 5});
+    input.cells[{0, 0}] = SomewhereAt(15, 0);
+    EXPECT_EQ(GroundAroundShores(Plan(), input, std::vector<Shore>{shore})[0].low, squares == 5 ? 1 : 0);
+  }
+}
+
 // The surface rises by 2 cm per metre: a bank, unless the heights are as rough as that.
 TEST(GroundAroundShoresTest, NoiseIsNoHigher) {
   const auto bank = [](double x, double y) { return 5 + 0.02 * std::max({15 - x, x - 25, 15 - y, y - 25, 0.0}); };
