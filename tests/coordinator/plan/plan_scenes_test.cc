@@ -255,6 +255,26 @@ TEST_P(MadeSceneTest, MovesAlongWithASceneMovedByWholeCells) {
   EXPECT_EQ(FiguresOf(moved, {}, {0, 0, 0}), FiguresOf(PlanOf(scene), shift, move));
 }
 
+// In an area whose edge leads through lakes: vertices there have no height before the fill.
+TEST_P(MadeSceneTest, DoesNotDependOnTheHeightAboveSeaLevel) {
+  MadeScene made = MakeScene(EveryKindOfHole(cut(), seed()));
+  for (MadeTile& tile : made.tiles) {
+    for (Point3& p : tile.mesh.points) p = RoundedToLattice(p, 0x1p-10);
+  }
+  const SurveyedScene scene = SurveyScene(made);
+  const Point3 lift(0, 0, 1024);
+  std::map<CellId, TriMesh> tiles;
+  for (const auto& [cell, tile] : scene.tiles)
+    tiles[cell] = Moved(tile, [&](const Point3& p) { return Point3(p + lift); });
+  const SurveyedScene lifted = SurveyScene(scene.grid, tiles);
+  const auto in_area = [](const SurveyedScene& of) {
+    PlanInput input = of.Input();
+    input.area.rings = {{{7, 9}, {140, 9}, {140, 141}, {7, 141}}};
+    return MakePlan(input, {});
+  };
+  EXPECT_EQ(FiguresOf(in_area(lifted), {}, {0, 0, 0}), FiguresOf(in_area(scene), {}, lift));
+}
+
 // The outline of a lake ends beside the corner of four pieces: two holes were taken for one there.
 TEST(PiecesTest, HolesAreCountedAsWithoutPieces) {
   SceneMakerOptions options;
