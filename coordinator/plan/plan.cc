@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -308,16 +307,21 @@ Plan PlanGrid(const PlanInput& input, const PlanOptions& options, const TileLayo
   } else {
     PlanPart(input, input, layout.lines, options, plan);
   }
-  RefuseTilesThatFaceDown(input, plan);
   return plan;
 }
 
+// The tiles as they are, and which pieces of them are planned apart (hole/free_pieces.h).
+struct WholeTiles {
+  const PlanInput& input;
+  const FreePieces& free_pieces;
+};
+
 // Holes, clusters, layers: all that does not depend on objects and water.
-//   add_pieces  adds those that hang free, and are not in the input
-Plan PlanHoles(const PlanInput& input, const PlanOptions& options, const TileLayout& layout,
-               const std::function<void(Plan&)>& add_pieces = {}) {
+//   input  without the free pieces
+Plan PlanHoles(const PlanInput& input, const PlanOptions& options, const TileLayout& layout, const WholeTiles& tiles) {
   Plan plan = input.has_grid ? PlanGrid(input, options, layout) : PlanMesh(input, options);
-  if (add_pieces && !options.cancelled()) add_pieces(plan);
+  AddFreePieces(tiles.input, tiles.free_pieces, options, plan);
+  if (input.has_grid) RefuseTilesThatFaceDown(tiles.input, plan);
   plan.remarks.has_polygon = !input.area.empty();
   StoreLayers(plan);
   DecideHoles(options.water.areas, plan, options.is_cancelled);
@@ -343,7 +347,7 @@ bool MayHaveWater(const WaterOptions& water) {
 // around a scene goes on into its lakes. Where the surface ends inside the cells there is such a hole without the area,
 // too: so up to the outline of the surface first. `layout` is that of `input`.
 KnownWater WaterOfScene(const PlanInput& input, const PlanOptions& options, const TileLayout& layout,
-                        const Plan& plan) {
+                        const WholeTiles& tiles, const Plan& plan) {
   if ((input.area.empty() && input.added.empty()) || plan.holes.empty() || !MayHaveWater(options.water)) return {};
   PlanInput scene = input;
   for (const CellId cell : input.added) scene.cells.erase(cell);
@@ -353,7 +357,7 @@ KnownWater WaterOfScene(const PlanInput& input, const PlanOptions& options, cons
   known.body_of.assign(plan.holes.size(), -1);
   const auto add_water_up_to = [&](const PlanePolygon& area) {
     scene.area = area;
-    Plan whole = PlanHoles(scene, options, own ? *own : layout);
+    Plan whole = PlanHoles(scene, options, own ? *own : layout, tiles);
     if (!options.cancelled()) TellWater(scene, options, {}, whole);
     AddKnownWater(FindKnownWater(whole, plan), known);
   };
@@ -363,14 +367,14 @@ KnownWater WaterOfScene(const PlanInput& input, const PlanOptions& options, cons
   return known;
 }
 
-//   add_pieces  as of PlanHoles
-Plan PlanScene(const PlanInput& input, const PlanOptions& options, const std::function<void(Plan&)>& add_pieces = {}) {
+//   input  as of PlanHoles
+Plan PlanScene(const PlanInput& input, const PlanOptions& options, const WholeTiles& tiles) {
   TileLayout layout = LayOutTiles(input);
-  Plan plan = PlanHoles(input, options, layout, add_pieces);
+  Plan plan = PlanHoles(input, options, layout, tiles);
   plan.float32 = NewTilesAreFloat32(input);
   if (layout.joint && !layout.pieces) plan.remarks.turn = TurnOfTiles(input);
   if (!plan.upright) return options.cancelled() ? Plan() : plan;
-  if (!options.cancelled()) TellWater(input, options, WaterOfScene(input, options, layout, plan), plan);
+  if (!options.cancelled()) TellWater(input, options, WaterOfScene(input, options, layout, tiles, plan), plan);
   if (!options.cancelled()) LeaveWithoutHeight(plan);
   layout.joint.reset();  // large
   if (!options.cancelled()) MarkClearedShores(options.water.areas, plan, options.is_cancelled);
@@ -388,8 +392,8 @@ Plan PlanScene(const PlanInput& input, const PlanOptions& options, const std::fu
 
 Plan MakePlan(const PlanInput& input, const PlanOptions& options) {
   const FreePieces pieces = FindFreePieces(input);
-  if (pieces.empty()) return PlanScene(input, options);
-  return PlanScene(WithoutPieces(input, pieces), options, [&](Plan& plan) { AddFreePieces(input, pieces, plan); });
+  const WholeTiles tiles{input, pieces};
+  return pieces.empty() ? PlanScene(input, options, tiles) : PlanScene(WithoutPieces(input, pieces), options, tiles);
 }
 
 }  // namespace tilemend

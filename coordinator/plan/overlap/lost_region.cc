@@ -34,11 +34,17 @@ bool IsLostRegion(const Plan& plan, const std::vector<RimSegment>& hole, const s
 
 bool IsSliver(const Plan& plan, const std::vector<RimSegment>& hole, double width) {
   if (hole.empty()) return true;
-  const Point3 origin = plan.vertices[hole.front().from].position;
+  // Vertices on seams have no height yet: seen from above there.
+  const bool is_in_space = std::ranges::none_of(hole, &RimSegment::seam);
+  const auto position = [&](int32_t v) {
+    const Point3& p = plan.vertices[v].position;
+    return is_in_space ? p : Point3(p.x(), p.y(), 0);
+  };
+  const Point3 origin = position(hole.front().from);
   Eigen::Vector3d doubled = Eigen::Vector3d::Zero();
   double length = 0;
   for (const RimSegment& s : hole) {
-    const Point3 &a = plan.vertices[s.from].position, &b = plan.vertices[s.to].position;
+    const Point3 a = position(s.from), b = position(s.to);
     doubled += (a - origin).cross(b - origin);
     length += (b - a).norm();
   }

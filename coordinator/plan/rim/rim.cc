@@ -286,10 +286,10 @@ constexpr double kSteepestReach = 1.5;
 void StoreSizes(Rim& rim) {
   std::vector<int32_t> count(rim.points.size(), 0);
   for (const RimEdge& e : rim.edges) {
-    const Point3 way = rim.points[e.to].position - rim.points[e.from].position;
+    const Point2 way = (rim.points[e.to].position - rim.points[e.from].position).head<2>();
     for (const int32_t p : {e.from, e.to}) {
-      rim.points[p].size += way.norm();
-      rim.points[p].reach += way.head<2>().norm();
+      rim.points[p].size += LengthOf(rim, e);
+      rim.points[p].reach += way.norm();
       ++count[p];
     }
   }
@@ -302,6 +302,12 @@ void StoreSizes(Rim& rim) {
 }
 
 }  // namespace
+
+double LengthOf(const Rim& rim, const RimEdge& e) {
+  const RimPoint &from = rim.points[e.from], &to = rim.points[e.to];
+  const Point3 way = to.position - from.position;
+  return e.area_edge && (from.index < 0 || to.index < 0) ? way.head<2>().norm() : way.norm();
+}
 
 Rim BuildRim(const PlanInput& input, RimPoints keep) {
   Rim rim;

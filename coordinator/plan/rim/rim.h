@@ -43,6 +43,9 @@ struct Rim {
   bool surface_beyond = false;  // an area polygon bounds the holes: what lies beyond all edges counts as surface
 };
 
+// Metres. Along the edge of an area new vertices have no height yet: seen from above there.
+double LengthOf(const Rim& rim, const RimEdge& e);
+
 enum class RimPoints { kAll, kOfEdges };  // every boundary vertex of every tile, or the ends of the rim's edges
 
 // Puts the tiles together: matches boundary edges of different tiles at equal positions, drops the

@@ -10,12 +10,6 @@ constexpr double kLeastSizeInSteps = 64;
 // Of the length of an edge: the least size at its ends. A mean of two edges is below it if one is five times the other.
 constexpr double kShareOfLongEdge = 0.6;
 
-// Along the edge of the area new vertices have no height yet, so it is seen from above there.
-double LengthOf(const Rim& rim, const RimEdge& e) {
-  const Point3 way = rim.points[e.to].position - rim.points[e.from].position;
-  return e.area_edge ? way.head<2>().norm() : way.norm();
-}
-
 // The least size at the end of an edge, by that at its beginning.
 double LeastSizeBehind(const Rim& rim, const RimEdge& e, double before) {
   const double length = LengthOf(rim, e);

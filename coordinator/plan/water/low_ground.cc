@@ -58,8 +58,8 @@ class ShoreIndex {
     const auto is_low = [&](const auto& square) { return square.second.is_ground || square.second.above <= most; };
     const auto lower = static_cast<double>(std::ranges::count_if(lowest_, is_lower));
     const auto low = std::ranges::count_if(lowest_, is_low);
-    const bool is_told = std::ranges::any_of(lowest_, [](const auto& square) { return square.second.is_ground; });
-    if (low < (is_told ? kMinSquares : kMinSquaresOfBands)) return {};
+    const auto told = std::ranges::count_if(lowest_, [](const auto& square) { return square.second.is_ground; });
+    if (told < kMinSquares && low < kMinSquaresOfBands) return {};
     const auto is_sunk = [&](const auto& square) { return square.second.above < -most_above_; };
     const auto known = static_cast<double>(low);
     const bool are_many = lower > kLeastOfAll * static_cast<double>(lowest_.size());

@@ -62,7 +62,7 @@ TEST(FindFreePiecesTest, TakesWhatAWallOfOverTenTimesItsAreaWouldHold) {
 }
 
 TEST(FindFreePiecesTest, NotOverOtherSurfaceNorAtTheOutlineOfTheTile) {
-  for (const double lo : {0.5, 0.0, 1.9}) {
+  for (const double lo : {0.4, 0.0, 1.9}) {
     PieceScene scene;
     scene.AddSquare(lo, lo + 1, 20, true);
     EXPECT_TRUE(FindFreePieces(scene.Input()).empty()) << lo;
@@ -110,6 +110,43 @@ TEST(FreePiecesTest, TheHoleGoesOnBelowThem) {
     EXPECT_FALSE(plan.left[0].is_hole);
     EXPECT_EQ(plan.left[0].edges, 4);
   }
+}
+
+TEST(FindFreePiecesTest, OnlyInsideTheAreaAndTheCell) {
+  PieceScene scene;
+  scene.AddSquare(8, 9, 20, true);
+  PlanInput input = scene.Input();
+  input.area.rings = {{{1, 1}, {19, 1}, {19, 19}, {1, 19}}};
+  EXPECT_FALSE(FindFreePieces(input).empty());
+  input.area.rings = {{{1, 1}, {8.5, 1}, {8.5, 19}, {1, 19}}};
+  EXPECT_TRUE(FindFreePieces(input).empty());
+  input = scene.Input();
+  input.grid.corner = Point2(8.5, 0);  // the tile reaches over its cell
+  EXPECT_TRUE(FindFreePieces(input).empty());
+}
+
+// The last of 200,000 pieces in a row would ask at as many edges: none is taken, and soon.
+TEST(FindFreePiecesTest, NoneWhereAskingTakesTooLong) {
+  PieceScene scene;
+  for (int k = 0; k < 20'000; ++k) scene.AddSquare(5 + 5e-4 * k, 5 + 5e-4 * k + 1e-4, 20, true);
+  EXPECT_EQ(FindFreePieces(scene.Input()).at(kCell).size(), 20'000U);
+  PieceScene level;
+  for (int k = 0; k < 20'000; ++k) {
+    level.AddSquare(5 + 5e-4 * k, 5 + 5e-4 * k + 1e-4, 20, true);
+    for (size_t v = level.record.vertices.size() - 4; v < level.record.vertices.size(); ++v) {
+      level.record.vertices[v].position.y() = v % 4 < 2 ? 8 : 9;
+    }
+  }
+  EXPECT_TRUE(FindFreePieces(level.Input()).empty());
+}
+
+// The only boundary of a tile within a hole is that of a crown.
+TEST(FreePiecesTest, ATileWithoutOtherBoundaryIsNoneThatFacesDown) {
+  PieceScene scene;
+  scene.record.edges.clear();
+  scene.AddSquare(8, 9, 20, true);
+  const Plan plan = MakePlan(scene.Input(), {});
+  for (const PlannedHole& hole : plan.holes) EXPECT_EQ(hole.failure.find("faces down"), std::string::npos);
 }
 
 // 2 m above the ground it is an island, with a wall.

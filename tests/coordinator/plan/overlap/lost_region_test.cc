@@ -54,5 +54,14 @@ TEST(IsSliverTest, WhatIsNarrowerThanPiecesOverlap) {
   EXPECT_FALSE(IsSliver(plan, wall, 0.04));
 }
 
+// Two vertices are on a seam, without a height, and the others 800 m above the sea.
+TEST(IsSliverTest, IsSeenFromAboveBesideASeam) {
+  Plan plan;
+  auto strip = Box(0, 0, 20, 0.01, plan);
+  strip[0].seam = true;
+  for (const int32_t v : {strip[2].from, strip[3].from}) plan.vertices[v].position.z() = 800;
+  EXPECT_TRUE(IsSliver(plan, strip, 0.02));
+}
+
 }  // namespace
 }  // namespace tilemend

@@ -75,6 +75,7 @@ TEST(RaiseSizesAtShortEdgesTest, KeepsThemWhereEdgesAreOfSimilarLength) {
 TEST(RaiseSizesAtShortEdgesTest, TakesEdgesOfTheAreaAsSeenFromAbove) {
   Rim rim = RunOfEdges({1, 1, 1, 1});
   for (const int p : {0, 1, 4}) rim.points[p].position.z() = 800;
+  for (const int p : {2, 3}) rim.points[p].index = -1;
   for (const int e : {1, 2, 3}) rim.edges[e].area_edge = true;
   RaiseSizesAtShortEdges(rim);
   for (const RimPoint& p : rim.points) EXPECT_DOUBLE_EQ(p.size, 1);
