@@ -11,6 +11,7 @@
 
 #include "common/mesh/edge_loops.h"
 #include "common/mesh/exact_signs.h"
+#include "common/mesh/plane_polygon.h"
 #include "common/mesh/triangle_shape.h"
 #include "coordinator/plan/hole/cell_boundary.h"
 #include "coordinator/plan/hole/hole_regions.h"
@@ -48,7 +49,7 @@ class PieceFinder {
     std::set<int32_t> pieces;
     std::vector<AskedPlace> places;
     for (const auto& [piece, edges] : edges_of) {
-      if (!StandsOff(edges) || !HangsHigh(edges)) continue;
+      if (!StandsOff(edges) || !HangsHigh(edges) || !IsInArea(edges)) continue;
       pieces.insert(piece);
       const size_t step = (edges.size() + kMaxAskedVertices - 1) / kMaxAskedVertices;
       for (size_t i = 0; i < edges.size(); i += step) places.push_back({At(edges[i].from), piece});
@@ -76,7 +77,7 @@ class PieceFinder {
     return std::ranges::all_of(edges, [&](const DirectedEdge& e) {
       const Point2 p = At(e.from);
       const double to_outline = std::min((p - inside_.min()).minCoeff(), (inside_.max() - p).minCoeff());
-      return HeightAboveGround(e.from) && to_outline > longest && (input_.area.empty() || Contains(input_.area, p));
+      return HeightAboveGround(e.from) && to_outline > longest;
     });
   }
 
@@ -98,6 +99,11 @@ class PieceFinder {
     return wall > kMinWallPerOpening * closing;
   }
 
+  bool IsInArea(const std::vector<DirectedEdge>& edges) const {
+    const auto is_inside = [&](const DirectedEdge& e) { return Contains(input_.area, At(e.from)); };
+    return input_.area.empty() || std::ranges::all_of(edges, is_inside);
+  }
+
   // Sorts the places. False if it would take too long.
   bool AskAll(std::vector<AskedPlace>& places) const {
     const auto height = [](const AskedPlace& place) { return place.at.y(); };
@@ -109,10 +115,10 @@ class PieceFinder {
       const auto last = std::ranges::lower_bound(places, std::max(a.y(), b.y()), {}, height);
       looks += last - first;
       if (looks > kMaxLooks) return false;
-      for (AskedPlace& place : std::ranges::subrange(first, last)) {
-        if (place.piece == e.piece) continue;
-        const int turn = TurnOf(a, b, place.at);
-        if (turn != 0 && (turn > 0) == (b.y() > a.y())) place.winding += turn;
+      for (auto place = first; place != last; ++place) {
+        if (place->piece == e.piece) continue;
+        const int turn = TurnOf(a, b, place->at);
+        if (turn != 0 && (turn > 0) == (b.y() > a.y())) place->winding += turn;
       }
     }
     return true;
