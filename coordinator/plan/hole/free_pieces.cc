@@ -130,8 +130,17 @@ class PieceFinder {
   Eigen::AlignedBox2d inside_;  // of the cell and of the tile
 };
 
-void DropEdges(const std::set<int32_t>& pieces, std::vector<BoundaryEdge>& edges) {
-  std::erase_if(edges, [&](const BoundaryEdge& e) { return pieces.contains(e.piece); });
+// The record with the edges of the pieces alone, or with all others. It has a band if that is asked for.
+std::shared_ptr<SurveyRecord> PartOf(const SurveyRecord& whole, const std::set<int32_t>& pieces, bool of_pieces,
+                                     bool with_band) {
+  auto part = std::make_shared<SurveyRecord>();
+  static_cast<SurveySummary&>(*part) = whole;
+  part->vertices = whole.vertices;
+  part->colours = whole.colours;
+  std::ranges::copy_if(whole.edges, std::back_inserter(part->edges),
+                       [&](const BoundaryEdge& e) { return pieces.contains(e.piece) == of_pieces; });
+  if (with_band) part->band = whole.band;
+  return part;
 }
 
 // A record without the edges of some pieces, made anew each time that it is asked for.
@@ -142,9 +151,7 @@ class RestOfRecord : public StoredRecord::Source {
   const SurveySummary& summary() const override { return *whole_; }
 
   StoredRecord::Pointer Read(bool with_band) const override {
-    auto record = std::make_shared<SurveyRecord>(with_band ? *whole_.WithBand() : *whole_.Outline());
-    DropEdges(pieces_, record->edges);
-    return record;
+    return PartOf(with_band ? *whole_.WithBand() : *whole_.Outline(), pieces_, false, with_band);
   }
 
  private:
@@ -161,8 +168,8 @@ std::vector<bool> VerticesOfOthers(const SurveyRecord& record, const std::set<in
   return of_others;
 }
 
-// Of each point of a rim of pieces the vertex in the plan. The fill ends there and does not pass below, but where other
-// pieces touch.
+// Of each point of a rim of pieces the vertex in the plan. A vertex of these pieces alone is on no object that the fill
+// passes below: it takes part in the patches of their own holes.
 std::vector<int32_t> PlanVerticesOf(CellId cell, const std::vector<bool>& of_others, const Rim& rim, Plan& plan) {
   std::vector<int32_t>& of = plan.vertex_of_boundary[cell];
   of.resize(of_others.size(), -1);
@@ -185,12 +192,8 @@ std::vector<int32_t> PlanVerticesOf(CellId cell, const std::vector<bool>& of_oth
 // The rim of some pieces of a tile alone.
 Rim RimOfPieces(const PlanInput& input, CellId cell, const SurveyRecord& whole, const std::set<int32_t>& pieces,
                 double lattice_step) {
-  SurveyRecord record;
-  static_cast<SurveySummary&>(record) = whole;
-  record.vertices = whole.vertices;
-  std::ranges::copy_if(whole.edges, std::back_inserter(record.edges),
-                       [&](const BoundaryEdge& e) { return pieces.contains(e.piece); });
-  Rim rim = BuildRim({.grid = input.grid, .cells = {{cell, StoredRecord(&record)}}}, RimPoints::kOfEdges);
+  const std::shared_ptr<SurveyRecord> part = PartOf(whole, pieces, true, false);
+  Rim rim = BuildRim({.grid = input.grid, .cells = {{cell, StoredRecord(part.get())}}}, RimPoints::kOfEdges);
   RaiseSmallSizes(lattice_step, rim);
   RaiseSizesAtShortEdges(rim);
   return rim;
@@ -241,6 +244,7 @@ PlanInput WithoutPieces(PlanInput input, const FreePieces& pieces) {
 }
 
 void AddFreePieces(const PlanInput& input, const FreePieces& pieces, const PlanOptions& options, Plan& plan) {
+  if (pieces.empty()) return;
   for (const auto& [cell, of_tile] : pieces) {
     if (!options.cancelled()) AddPieces(input, cell, of_tile, options, plan);
   }

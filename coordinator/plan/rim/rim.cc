@@ -286,10 +286,11 @@ constexpr double kSteepestReach = 1.5;
 void StoreSizes(Rim& rim) {
   std::vector<int32_t> count(rim.points.size(), 0);
   for (const RimEdge& e : rim.edges) {
-    const Point2 way = (rim.points[e.to].position - rim.points[e.from].position).head<2>();
+    const double length = LengthOf(rim, e);
+    const double from_above = (rim.points[e.to].position - rim.points[e.from].position).head<2>().norm();
     for (const int32_t p : {e.from, e.to}) {
-      rim.points[p].size += LengthOf(rim, e);
-      rim.points[p].reach += way.norm();
+      rim.points[p].size += length;
+      rim.points[p].reach += from_above;
       ++count[p];
     }
   }
