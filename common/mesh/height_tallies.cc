@@ -22,7 +22,7 @@ std::vector<HeightTally> TallyHeightsIn(const MeshView& mesh, std::span<const Pl
       const Point3 u = b - a, v = c - a;
       const double area = std::abs(u.x() * v.y() - u.y() * v.x()) / 2;
       const auto units = static_cast<int64_t>(std::llround(area / kAreaUnit));
-      if (units > 0) tallies[i].area_of_bin[static_cast<int32_t>(std::floor(centroid.z() / kHeightBin))] += units;
+      if (units > 0) tallies[i].area_of_bin[HeightBinOf(centroid.z())] += units;
     });
   }
   return tallies;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -12,7 +13,7 @@ namespace tilemend {
 namespace {
 
 constexpr double kOfNormal = 1.4826;  // standard deviation over median distance
-constexpr int64_t kLastSpan = 2;      // from the first bin to the last one of what is left: three heights, as printed
+constexpr double kLastSpan = 0.03;    // metres
 
 using Bin = std::pair<int32_t, int64_t>;
 
@@ -43,6 +44,11 @@ std::span<const Bin> ShortestHalf(std::span<const Bin> bins) {
 
 }  // namespace
 
+int32_t HeightBinOf(double height) {
+  constexpr double kLast = std::numeric_limits<int32_t>::max();
+  return static_cast<int32_t>(std::clamp(std::round(height / kHeightBin), -kLast, kLast));
+}
+
 void HeightTally::Add(const HeightTally& other) {
   for (const auto& [bin, area] : other.area_of_bin) area_of_bin[bin] += area;
 }
@@ -55,13 +61,13 @@ std::optional<double> HalfSampleMode(const HeightTally& tally) {
   if (tally.area_of_bin.empty()) return std::nullopt;
   const std::vector<Bin> all(tally.area_of_bin.begin(), tally.area_of_bin.end());
   std::span<const Bin> bins = all;
-  while (SpanOf(bins) > kLastSpan) {
+  while (static_cast<double>(SpanOf(bins)) * kHeightBin > kLastSpan) {
     const std::span<const Bin> half = ShortestHalf(bins);
     if (half.size() == bins.size()) break;
     bins = half;
   }
   double sum = 0;
-  for (const auto& [bin, area] : bins) sum += (bin + 0.5) * static_cast<double>(area);
+  for (const auto& [bin, area] : bins) sum += bin * static_cast<double>(area);
   return sum / static_cast<double>(AreaOf(bins)) * kHeightBin;
 }
 
@@ -81,7 +87,7 @@ HeightTally LowerHalf(const HeightTally& tally) {
 double SpreadAbout(const HeightTally& tally, double level, double top) {
   std::map<int64_t, int64_t> area_within;  // by distance in bins
   int64_t all = 0;
-  const auto middle = static_cast<int64_t>(std::floor(level / kHeightBin));
+  const int64_t middle = HeightBinOf(level);
   for (const auto& [bin, area] : tally.area_of_bin) {
     if (bin * kHeightBin > top) break;
     area_within[std::abs(bin - middle)] += area;

@@ -11,9 +11,9 @@
 
 namespace tilemend {
 
-inline constexpr double kHeightBin = 0.01;  // metres
+inline constexpr double kHeightBin = 0x1p-10;  // metres: heights of new vertices are multiples of it
 
-// A sparse histogram: plan area in units of kAreaUnit by height in bins of kHeightBin; bin k is [k, k + 1) *
+// A sparse histogram: plan area in units of kAreaUnit by height in bins; bin k has the heights that are nearest to k *
 // kHeightBin. Whole numbers, so that sums do not depend on their order.
 struct HeightTally {
   std::map<int32_t, int64_t> area_of_bin;
@@ -23,13 +23,17 @@ struct HeightTally {
 
 inline constexpr double kAreaUnit = 1e-6;  // m2
 
+// The bin of a height in metres. Beyond 2,000 km, which no surface is, it is the last one.
+int32_t HeightBinOf(double height);
+
 // The triangles with their centroid in the polygon, each with its area seen from above at the height of its centroid.
 // Cost as AreasThatClear.
 HeightTally TallyHeights(const MeshView& mesh, const PlanePolygon& polygon);
 
 // The half-sample mode (Bickel and Fruehwirth 2006, "On a fast, robust estimator of the mode"), weighted by area. It
-// takes the shortest interval that holds half of the area, and of that again, until it is at most three bins long. The
-// result is the weighted mean of the last one, or nullopt for an empty tally. Deterministic. Cost O(bins log bins).
+// takes the shortest interval that holds half of the area, and of that again, until it is at most 3 cm long. The result
+// is the weighted mean of the last one, or nullopt for an empty tally. Level surface keeps its height. Deterministic.
+// Cost O(bins log bins).
 std::optional<double> HalfSampleMode(const HeightTally& tally);
 
 // The lower half of the area, bin by bin.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 namespace tilemend {
@@ -25,19 +26,24 @@ TriMesh Steps(const std::vector<double>& heights) {
 }
 
 TEST(HeightTallyTest, CountsAreaInsideByHeight) {
-  const HeightTally tally = TallyHeights(Steps({1.005, 2.005, 1.005}), kSquare);
-  EXPECT_EQ(tally.area_of_bin, (std::map<int32_t, int64_t>{{100, 2000000}, {200, 1000000}}));
+  const HeightTally tally = TallyHeights(Steps({1.0004, 2, 0.9996}), kSquare);
+  EXPECT_EQ(tally.area_of_bin, (std::map<int32_t, int64_t>{{1024, 2000000}, {2048, 1000000}}));
 }
 
 TEST(HeightTallyTest, LeavesOutWhatLiesOutsideOrStandsUpright) {
-  TriMesh mesh = Steps({1.005});
+  TriMesh mesh = Steps({1});
   mesh.points.insert(mesh.points.end(), {{20, 0, 1}, {21, 0, 1}, {20, 1, 1}, {2, 2, 0}, {3, 2, 0}, {3, 2, 5}});
   mesh.triangles.insert(mesh.triangles.end(), {{4, 5, 6}, {7, 8, 9}});
-  EXPECT_EQ(TallyHeights(mesh, kSquare).area_of_bin, (std::map<int32_t, int64_t>{{100, 1000000}}));
+  EXPECT_EQ(TallyHeights(mesh, kSquare).area_of_bin, (std::map<int32_t, int64_t>{{1024, 1000000}}));
 }
 
 TEST(HeightTallyTest, HeightsBelowZeroHaveBinsOfTheirOwn) {
-  EXPECT_EQ(TallyHeights(Steps({-0.005}), kSquare).area_of_bin.begin()->first, -1);
+  EXPECT_EQ(TallyHeights(Steps({-0.001}), kSquare).area_of_bin.begin()->first, -1);
+}
+
+TEST(HeightTallyTest, HeightsThatNoSurfaceHasAreInTheLastBin) {
+  EXPECT_EQ(HeightBinOf(1e9), std::numeric_limits<int32_t>::max());
+  EXPECT_EQ(HeightBinOf(-1e9), -std::numeric_limits<int32_t>::max());
 }
 
 TEST(HeightTallyTest, SumsDoNotDependOnTheirOrder) {
@@ -51,18 +57,19 @@ TEST(HeightTallyTest, SumsDoNotDependOnTheirOrder) {
 
 TEST(HalfSampleModeTest, NothingHasNone) { EXPECT_EQ(HalfSampleMode({}), std::nullopt); }
 
-TEST(HalfSampleModeTest, OneHeightIsTheMode) {
-  EXPECT_DOUBLE_EQ(*HalfSampleMode({{{325, 7}}}), 3.255);  // the middle of the bin
+TEST(HalfSampleModeTest, LevelSurfaceKeepsItsHeight) {
+  EXPECT_EQ(*HalfSampleMode(TallyHeights(Steps({3.25, 3.25, 3.3}), kSquare)), 3.25);
 }
 
 TEST(HalfSampleModeTest, FindsWaterBesideABridgeAndTrees) {
   std::mt19937 random(3);
   std::normal_distribution<double> waves(3.25, 0.15);
   HeightTally tally;
-  for (int k = 0; k < 4000; ++k)
-    tally.area_of_bin[static_cast<int32_t>(std::floor(waves(random) / kHeightBin))] += 1000;
-  for (int k = 0; k < 1500; ++k) tally.area_of_bin[600 + static_cast<int32_t>(random() % 20)] += 1000;   // a deck
-  for (int k = 0; k < 1000; ++k) tally.area_of_bin[400 + static_cast<int32_t>(random() % 800)] += 1000;  // trees
+  for (int k = 0; k < 4000; ++k) tally.area_of_bin[HeightBinOf(waves(random))] += 1000;
+  for (int k = 0; k < 1500; ++k)
+    tally.area_of_bin[HeightBinOf(6 + 0.01 * static_cast<double>(random() % 20))] += 1000;  // a deck
+  for (int k = 0; k < 1000; ++k)
+    tally.area_of_bin[HeightBinOf(4 + 0.01 * static_cast<double>(random() % 800))] += 1000;  // trees
   EXPECT_NEAR(*HalfSampleMode(tally), 3.25, 0.1);
 }
 
@@ -76,14 +83,13 @@ TEST(SpreadAboutTest, IsTheDeviationOfNormalHeightsWhateverStandsInThem) {
   std::mt19937 random(3);
   std::normal_distribution<double> waves(-3.25, 0.15);
   HeightTally tally;
-  for (int k = 0; k < 4000; ++k)
-    tally.area_of_bin[static_cast<int32_t>(std::floor(waves(random) / kHeightBin))] += 1000;
+  for (int k = 0; k < 4000; ++k) tally.area_of_bin[HeightBinOf(waves(random))] += 1000;
   EXPECT_NEAR(SpreadAbout(tally, -3.25, -1.75), 0.15, 0.01);
-  tally.area_of_bin[-200] = 400'000;    // a bank
-  tally.area_of_bin[2000] = 9'000'000;  // trees
+  tally.area_of_bin[HeightBinOf(-2)] = 400'000;    // a bank
+  tally.area_of_bin[HeightBinOf(20)] = 9'000'000;  // trees
   EXPECT_NEAR(SpreadAbout(tally, -3.25, -1.75), 0.17, 0.02);
-  EXPECT_EQ(SpreadAbout({{{325, 7}}}, 3.255, 4.755), 0);
-  EXPECT_EQ(SpreadAbout({{{325, 7}}}, 3.255, 3), 0);
+  EXPECT_EQ(SpreadAbout({{{HeightBinOf(3.25), 7}}}, 3.25, 4.75), 0);
+  EXPECT_EQ(SpreadAbout({{{HeightBinOf(3.25), 7}}}, 3.25, 3), 0);
 }
 
 }  // namespace

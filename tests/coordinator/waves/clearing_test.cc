@@ -43,16 +43,16 @@ TEST_F(ClearingTest, MeasuresWaterWithoutALevelInTilesThatReachIt) {
 }
 
 TEST_F(ClearingTest, AllTilesTogetherTellOneLevel) {
-  ASSERT_TRUE(clearing_.TakeTallies({1, 0}, std::vector<HeightTally>{{{{300, 5'000'000}, {301, 90'000'000}}}}).ok());
-  ASSERT_TRUE(clearing_.TakeTallies({0, 0}, std::vector<HeightTally>{{{{301, 50'000'000}, {900, 8'000'000}}}}).ok());
+  ASSERT_TRUE(clearing_.TakeTallies({1, 0}, std::vector<HeightTally>{{{{3072, 5'000'000}, {3082, 90'000'000}}}}).ok());
+  ASSERT_TRUE(clearing_.TakeTallies({0, 0}, std::vector<HeightTally>{{{{3082, 50'000'000}, {9216, 8'000'000}}}}).ok());
   clearing_.Settle(areas_);
   ASSERT_TRUE(areas_[1].level);
-  EXPECT_NEAR(*areas_[1].level, 3.015, 1e-9);
+  EXPECT_EQ(*areas_[1].level, 3082 * kHeightBin);
   EXPECT_EQ(areas_[1].level_sigma, 0);
   EXPECT_FALSE(areas_[1].is_mostly_open);
   EXPECT_FALSE(areas_[0].level || areas_[3].level);
   ASSERT_THAT(clearing_.Areas({0, 0}), SizeIs(1));
-  EXPECT_NEAR(clearing_.Areas({0, 0})[0].top, 4.515, 1e-9);
+  EXPECT_EQ(clearing_.Areas({0, 0})[0].top, 3082 * kHeightBin + 1.5);
   ASSERT_THAT(clearing_.Areas({1, 0}), SizeIs(2));
   EXPECT_EQ(clearing_.Areas({1, 0})[1].top, std::numeric_limits<double>::infinity());
   ASSERT_THAT(clearing_.Areas({3, 0}), SizeIs(1));
@@ -61,11 +61,11 @@ TEST_F(ClearingTest, AllTilesTogetherTellOneLevel) {
 
 // Of 80 m2 only 15 are there, say at the banks of a hole.
 TEST_F(ClearingTest, LittleSurfaceIsTakenOutAndTellsNoLevel) {
-  ASSERT_TRUE(clearing_.TakeTallies({0, 0}, std::vector<HeightTally>{{{{400, 6'000'000}, {900, 9'000'000}}}}).ok());
+  ASSERT_TRUE(clearing_.TakeTallies({0, 0}, std::vector<HeightTally>{{{{4096, 6'000'000}, {9216, 9'000'000}}}}).ok());
   clearing_.Settle(areas_);
   EXPECT_FALSE(areas_[1].level);
   ASSERT_THAT(clearing_.Areas({0, 0}), SizeIs(1));
-  EXPECT_NEAR(clearing_.Areas({0, 0})[0].top, 5.505, 1e-9);
+  EXPECT_EQ(clearing_.Areas({0, 0})[0].top, 5.5);
   EXPECT_TRUE(areas_[1].is_mostly_open);
   EXPECT_FALSE(areas_[2].is_mostly_open);
 }
@@ -77,7 +77,7 @@ TEST(ClearingBeyondTheSceneTest, OnlyWhatLiesInCellsOfTheSceneIsExpected) {
   for (const std::vector<CellId>& cells : {std::vector<CellId>{{0, 0}}, kCells}) {
     Clearing clearing(areas, kGrid, cells);
     EXPECT_TRUE(clearing.IsMeasured({0, 0}));
-    ASSERT_TRUE(clearing.TakeTallies({0, 0}, std::vector<HeightTally>{{{{300, 36'000'000}}}}).ok());
+    ASSERT_TRUE(clearing.TakeTallies({0, 0}, std::vector<HeightTally>{{{{3072, 36'000'000}}}}).ok());
     std::vector<WaterArea> settled = areas;
     clearing.Settle(settled);
     EXPECT_EQ(settled[1].is_mostly_open, cells.size() > 1) << "cells without a tile are open";
