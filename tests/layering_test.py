@@ -162,7 +162,8 @@ RULES = {
 
     'coordinator/plan/rim': rule(['common/mesh', 'common/records', 'coordinator/plan/types'], ['eigen'], pure=True),
 
-    'coordinator/plan/seam': rule(['common/mesh', 'coordinator/plan/types', 'coordinator/plan/rim'], ['absl'], pure=True),
+    'coordinator/plan/seam': rule(
+        ['common/mesh', 'common/mesh/winding', 'coordinator/plan/types', 'coordinator/plan/rim'], ['absl'], pure=True),
 
     'coordinator/plan/hole': rule(
         ['common/mesh', 'common/mesh/triangulation', 'common/records', 'coordinator/plan/types', 'coordinator/plan/rim'],

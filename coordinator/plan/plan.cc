@@ -168,7 +168,8 @@ JointTiles JoinInArea(const PlanInput& input, const JointTiles& whole, const Gri
   const RimIndex index(rim);
   const std::set<CellId> cells = CellsOf(input);
   const SeamSite site{cells, whole.lines, rim, index, options, lattice_step};
-  return JoinTiles(input, outlines, lattice_step, SpacedRings(site, input));
+  const std::vector<std::vector<Point2>> rings = SpacedRings(site, input);
+  return JoinTiles(input, outlines, lattice_step, &rings);
 }
 
 // How the tiles of a scene meet. It does not depend on the area: the plans of one scene with different areas share it.

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "common/mesh/rounding.h"
-#include "common/mesh/winding/simple_rings.h"
 #include "coordinator/plan/seam/area_ring.h"
 #include "coordinator/plan/types/cell_side.h"
 
@@ -14,17 +13,8 @@ namespace {
 
 using Ring = std::vector<Point2>;
 
-constexpr double kHair = 1e-6;   // of a segment: the line round a ring begins so far before its first point
 constexpr double kInBox = 1e-6;  // metres: what is so far inside its side lies in the box
 constexpr double kOff = 2;       // kOnLine, or steps of the lattice: how far edges of the area go off a grid line
-
-Ring Closed(const Ring& ring) {
-  const Point2 before = ring[0] + kHair * (ring.back() - ring[0]);
-  Ring line = {before};
-  line.insert(line.end(), ring.begin(), ring.end());
-  line.push_back(before);
-  return line;
-}
 
 // An edge of a ring that runs along an axis' grid lines; `inside`: the sign of the way into the area.
 struct AlongLine {
@@ -82,14 +72,11 @@ Ring OffGridLines(const Ring& ring, const SeamSite& site) {
 
 // The area's rings off the grid lines. Where two met on a line they cross when they have left it, and are united.
 std::vector<Ring> RingsOffGridLines(const SeamSite& site, const PlanePolygon& area) {
-  std::vector<Ring> rings = OrientedRings(area);
+  std::vector<Ring> rings = OrientedRings(area, site);
   std::vector<Ring> off;
   for (const Ring& ring : rings) off.push_back(OffGridLines(ring, site));
   if (off == rings) return rings;
-  for (Ring& ring : off) std::reverse(ring.begin(), ring.end());
-  off = SimpleRings(off, Wound::kLeft);
-  for (Ring& ring : off) std::reverse(ring.begin(), ring.end());
-  return off;
+  return UnitedRings(std::move(off));
 }
 
 // What of a ring lies inside one side of a box; along the side it closes (Sutherland and Hodgman 1974).
@@ -146,8 +133,7 @@ std::vector<Ring> SpacedRings(const SeamSite& site, const PlanInput& input) {
   std::vector<Ring> rings;
   for (const Ring& ring : RingsOffGridLines(site, input.area)) {
     Ring& spaced = rings.emplace_back();
-    for (const RingVertex& v : spacer.Along(Closed(ring))) spaced.push_back(v.position);
-    if (spaced.size() < 3) rings.pop_back();
+    for (const RingVertex& v : spacer.Around(ring)) spaced.push_back(v.position);
   }
   return rings;
 }

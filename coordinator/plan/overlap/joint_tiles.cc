@@ -170,7 +170,7 @@ class FixedPlaces {
 
 class Joiner {
  public:
-  Joiner(const PlanInput& input, const GridLines& own, double lattice_step, const std::vector<Ring>& area_rings,
+  Joiner(const PlanInput& input, const GridLines& own, double lattice_step, const std::vector<Ring>* area_rings,
          JointTiles& joint)
       : input_(input), own_(own), lattice_step_(lattice_step), area_rings_(area_rings), joint_(joint) {}
 
@@ -194,13 +194,13 @@ class Joiner {
 
  private:
   AreaOutside OutsideOf(CellId cell) const {
-    if (area_rings_.empty()) return {};
+    if (area_rings_ == nullptr) return {};
     std::array<double, 4> box;
     for (const Side s : kSides) {
       const double line = joint_.squares.at(cell).side[s], outline = own_.At(cell, s);
       box[s] = OutwardOf(s) > 0 ? std::max(line, outline) : std::min(line, outline);
     }
-    return OutsideIn(area_rings_, box, lattice_step_);
+    return OutsideIn(*area_rings_, box, lattice_step_);
   }
 
   void Clip(CellId cell, const StoredRecord& stored) {
@@ -316,7 +316,7 @@ class Joiner {
   void AddBorder(const Border& border) {
     const int tile = ClippedOf(border, 0) != nullptr ? 0 : 1;
     const CellId cell = TileOf(border, tile);
-    const auto fixed = fixed_.On(cell, SideOf(border, tile), joint_.squares.at(cell), !area_rings_.empty());
+    const auto fixed = fixed_.On(cell, SideOf(border, tile), joint_.squares.at(cell), area_rings_ != nullptr);
     for (const LineRun& run : FindLineRuns({CoverOf(border, 0), CoverOf(border, 1)}, fixed))
       AddRun(border, run, joint_);
   }
@@ -326,7 +326,7 @@ class Joiner {
   const PlanInput& input_;
   const GridLines& own_;
   const double lattice_step_;
-  const std::vector<Ring>& area_rings_;
+  const std::vector<Ring>* area_rings_;  // none: all cells
   JointTiles& joint_;
   std::map<CellId, ClippedTile> clipped_;
   FixedPlaces fixed_;
@@ -335,7 +335,7 @@ class Joiner {
 }  // namespace
 
 JointTiles JoinTiles(const PlanInput& input, const GridLines& own, double lattice_step,
-                     const std::vector<Ring>& area_rings) {
+                     const std::vector<Ring>* area_rings) {
   JointTiles joint;
   Joiner(input, own, lattice_step, area_rings, joint).Run();
   return joint;

@@ -34,11 +34,11 @@ struct JointTiles {
 };
 
 //   own         the outlines of the tiles
-//   area_rings  the area's edge (SpacedRings); none: all cells
+//   area_rings  the area's edge (SpacedRings); null: all cells
 // Cost O(n log n) in the boundary edges; in tiles that the area's edge crosses times those of its points that are
 // there.
 JointTiles JoinTiles(const PlanInput& input, const GridLines& own, double lattice_step,
-                     const std::vector<std::vector<Point2>>& area_rings = {});
+                     const std::vector<std::vector<Point2>>* area_rings = nullptr);
 
 }  // namespace tilemend
 

@@ -57,9 +57,9 @@ CellId CellBeside(const Grid& grid, const Point2& a, const Point2& b) {
 // The polygon of the area.
 class AreaPolygon {
  public:
-  explicit AreaPolygon(const PlanePolygon& area) : area_(area), rings_(OrientedRings(area)) {}
+  AreaPolygon(const PlanePolygon& area, const SeamSite& site) : area_{OrientedRings(area, site)} {}
 
-  const std::vector<Ring>& rings() const { return rings_; }
+  const std::vector<Ring>& rings() const { return area_.rings; }
 
   bool IsInside(const Point2& p) const { return Contains(area_, p) && NearestPlace(p).second > kOnLine; }
 
@@ -77,9 +77,9 @@ class AreaPolygon {
   std::pair<RingPlace, double> NearestPlace(const Point2& p) const {
     RingPlace best;
     double nearest = std::numeric_limits<double>::infinity();
-    for (size_t r = 0; r < rings_.size(); ++r) {
-      for (size_t i = 0; i < rings_[r].size(); ++i) {
-        const Point2 &a = rings_[r][i], &b = After(rings_[r], i);
+    for (size_t r = 0; r < rings().size(); ++r) {
+      for (size_t i = 0; i < rings()[r].size(); ++i) {
+        const Point2 &a = rings()[r][i], &b = After(rings()[r], i);
         const Point2 d = b - a;
         const double t = std::clamp((p - a).dot(d) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
         const double distance = (p - a - t * d).norm();
@@ -91,14 +91,13 @@ class AreaPolygon {
     return {best, nearest};
   }
 
-  const PlanePolygon& area_;
-  const std::vector<Ring> rings_;
+  const PlanePolygon area_;
 };
 
 class AreaCutter {
  public:
   AreaCutter(const SeamSite& site, const PlanInput& input)
-      : site_(site), input_(input), spacer_(site), polygon_(input.area), rings_(polygon_.rings()) {
+      : site_(site), input_(input), spacer_(site), polygon_(input.area, site), rings_(polygon_.rings()) {
     result_.rim = site.rim;
   }
 
@@ -194,8 +193,7 @@ class AreaCutter {
            absl::StrFormat("at (%.3f, %.3f) the area leaves out a part inside a hole: it is filled", p.x(), p.y())});
       return;
     }
-    std::vector<int32_t> way = NewVertices(r, -kHair, static_cast<double>(rings_[r].size()) - kHair);
-    if (way.size() < 3) return;
+    std::vector<int32_t> way = Add(spacer_.Around(rings_[r]));
     way.push_back(way.front());
     AddChain(way);
   }
@@ -227,8 +225,13 @@ class AreaCutter {
     std::vector<Point2> corners = {at(begin)};
     for (double t = std::floor(begin) + 1; t < end; ++t) corners.push_back(at(t));
     corners.push_back(at(end));
+    return Add(spacer_.Along(corners));
+  }
+
+  // Numbers new vertices.
+  std::vector<int32_t> Add(const std::vector<RingVertex>& vertices) {
     std::vector<int32_t> numbers;
-    for (const RingVertex& v : spacer_.Along(corners)) {
+    for (const RingVertex& v : vertices) {
       RimPoint point;
       point.index = -1;
       point.position = Point3(v.position.x(), v.position.y(), 0);

@@ -1,9 +1,14 @@
 #include "coordinator/plan/seam/area_ring.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
+#include <utility>
 
 #include "common/mesh/rounding.h"
+#include "common/mesh/segment_distance.h"
+#include "common/mesh/winding/simple_rings.h"
 #include "coordinator/plan/seam/seam_vertices.h"
 
 namespace tilemend {
@@ -13,6 +18,8 @@ constexpr double kRingTolerance = 1e-6;  // metres: a point this far beside an e
 // Of the wanted edge length: new vertices nearer than this to the rim or the vertex before are left out.
 constexpr double kClearance = 0.3;
 constexpr double kClearanceOfCorners = 0.1;  // of the polygon
+constexpr int kWays = 16;                    // that a corner may be moved
+constexpr double kBefore = 1e-6;             // of a segment: the line round a ring begins so far before its first point
 
 // Where a new vertex may be.
 struct Place {
@@ -33,11 +40,55 @@ void OrientRing(const PlanePolygon& area, std::vector<Point2>& ring) {
   }
 }
 
+// Counter-clockwise from one direction to another, radians.
+double Turn(const Point2& from, const Point2& to) {
+  const double turn = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+  return turn < 0 ? turn + 2 * std::numbers::pi : turn;
+}
+
+Point2 Way(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+// Corner i of an oriented ring. One that is too near to the rim, with no surface inside the ring, is moved out of it on
+// to surface: to the place farthest off the rim among some around it. If there is none, or too little, it stays.
+Point2 OffRim(const std::vector<Point2>& ring, size_t i, const SeamSite& site) {
+  const Point2& p = ring[i];
+  const double size = SeamSizeAt(site, p), clearance = kClearanceOfCorners * size;
+  if (site.index.Distance(p, size) >= clearance) return p;
+  const Point2 before = ring[(i + ring.size() - 1) % ring.size()] - p, after = ring[(i + 1) % ring.size()] - p;
+  const Point2 inward = Way(std::atan2(before.y(), before.x()) + Turn(before, after) / 2);
+  if (site.index.InSurface(p + 2 * clearance * inward, kRingTolerance)) return p;
+  Point2 best = p;
+  double farthest = clearance;
+  for (int k = 0; k < kWays; ++k) {
+    const Point2 way = Way(2 * std::numbers::pi * k / kWays), q = p + 2 * clearance * way;
+    const double distance = site.index.Distance(q, size);
+    const bool is_outside = Turn(after, way) < Turn(after, before);
+    if (distance <= farthest || !is_outside || !site.index.InSurface(q, kRingTolerance)) continue;
+    farthest = distance;
+    best = q;
+  }
+  return best;
+}
+
 }  // namespace
 
-std::vector<std::vector<Point2>> OrientedRings(const PlanePolygon& area) {
+std::vector<std::vector<Point2>> OrientedRings(const PlanePolygon& area, const SeamSite& site) {
   std::vector<std::vector<Point2>> rings = area.rings;
-  for (std::vector<Point2>& ring : rings) OrientRing(area, ring);
+  bool is_moved = false;
+  for (std::vector<Point2>& ring : rings) {
+    OrientRing(area, ring);
+    std::vector<Point2> moved;
+    for (size_t i = 0; i < ring.size(); ++i) moved.push_back(OffRim(ring, i, site));
+    is_moved = is_moved || moved != ring;
+    ring = std::move(moved);
+  }
+  return is_moved ? UnitedRings(std::move(rings)) : rings;
+}
+
+std::vector<std::vector<Point2>> UnitedRings(std::vector<std::vector<Point2>> rings) {
+  for (std::vector<Point2>& ring : rings) std::ranges::reverse(ring);
+  rings = SimpleRings(rings, Wound::kLeft);
+  for (std::vector<Point2>& ring : rings) std::ranges::reverse(ring);
   return rings;
 }
 
@@ -57,18 +108,37 @@ std::vector<RingVertex> RingSpacer::Along(const std::vector<Point2>& line) const
       for (const Point2& p : SpacedBetween(site_, knots[k], knots[k + 1])) places.push_back({p});
     }
   }
+  if (places.empty()) return {};
+  const bool is_closed = line.front() == line.back();
+  const Point2 first = is_closed ? places.back().position : line.front();
+  const Point2 last = is_closed ? places.front().position : line.back();
   std::vector<RingVertex> vertices;
-  for (const Place& place : places) {
-    const Point2 p = OnLattice(place.position);
-    const double size = SeamSizeAt(site_, p), clearance = size * (place.corner ? kClearanceOfCorners : kClearance);
+  for (size_t i = 0; i < places.size(); ++i) {
+    const Point2 p = OnLattice(places[i].position);
+    const double size = SeamSizeAt(site_, p), clearance = size * (places[i].corner ? kClearanceOfCorners : kClearance);
     const bool on_line = OnGridLine(p);
     if (!vertices.empty() && (vertices.back().position - p).norm() < clearance) {
       if (!on_line || OnGridLine(vertices.back().position)) continue;
       vertices.pop_back();
     }
-    if (!on_line && site_.index.Distance(p, size) < clearance) continue;
+    const Point2 before = vertices.empty() ? first : vertices.back().position;
+    const Point2 after = i + 1 < places.size() ? places[i + 1].position : last;
+    const bool can_go = !places[i].corner || DistanceToSegment(p, before, after) < clearance;
+    if (!on_line && can_go && site_.index.Distance(p, size) < clearance) continue;
     vertices.push_back({p, size});
   }
+  return vertices;
+}
+
+std::vector<RingVertex> RingSpacer::Around(const std::vector<Point2>& ring) const {
+  const Point2 before = ring[0] + kBefore * (ring.back() - ring[0]);
+  std::vector<Point2> line = {before};
+  line.insert(line.end(), ring.begin(), ring.end());
+  line.push_back(before);
+  std::vector<RingVertex> vertices = Along(line);
+  if (vertices.size() >= 3) return vertices;
+  vertices.clear();
+  for (const Point2& corner : ring) vertices.push_back({OnLattice(corner), SeamSizeAt(site_, corner)});
   return vertices;
 }
 

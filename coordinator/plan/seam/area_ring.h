@@ -11,8 +11,14 @@
 
 namespace tilemend {
 
-// The rings of an area, each with the inside on its right, as a rim has a hole. Precondition: they do not cross.
-std::vector<std::vector<Point2>> OrientedRings(const PlanePolygon& area);
+// The rings of an area, each with the inside on its right, as a rim has a hole. Corners that are too near to the rim
+// for a new vertex, as where an area is the outline of a hole, are moved off it, on to the surface beside it: there the
+// hole is whole. Rings that cross after that are united. Precondition: they do not cross. Cost as SeamSizeAt for each
+// corner.
+std::vector<std::vector<Point2>> OrientedRings(const PlanePolygon& area, const SeamSite& site);
+
+// The outline of what oriented rings enclose, oriented likewise (SimpleRings).
+std::vector<std::vector<Point2>> UnitedRings(std::vector<std::vector<Point2>> rings);
 
 struct RingVertex {
   Point2 position;
@@ -26,8 +32,12 @@ class RingSpacer {
 
   // The vertices strictly between the ends of a line: at its corners, where it crosses grid lines, and between. Those
   // between are as far apart as the triangles there will be large. They are on the lattice. None but those on grid
-  // lines is nearer than a fraction of that distance to the one before or to the rim. Cost as SeamSizeAt for each.
+  // lines is nearer than a fraction of that distance to the one before or to the rim, nor a corner that the line cannot
+  // do without. Cost as SeamSizeAt for each.
   std::vector<RingVertex> Along(const std::vector<Point2>& line) const;
+
+  // The same around a ring. Of one that is smaller than these distances its corners.
+  std::vector<RingVertex> Around(const std::vector<Point2>& ring) const;
 
  private:
   std::vector<Point2> AtGridLines(const Point2& a, const Point2& b) const;

@@ -74,6 +74,26 @@ TEST(CutByAreaTest, TakesAPolygonThatRunsAlongTheSurfacesEndForItsOutline) {
   ExpectSound(plan);
 }
 
+// As a hole's polygon of holes.geojson is.
+TEST(CutByAreaTest, APolygonAlongTheRimOfAHoleHasTheWholeHoleInside) {
+  const Picture ponds = {"########", "##...#.#", "##.#####", "##...###",
+                         "########", "########", "########", "########"};
+  const Ring ring = {{2, 4}, {5, 4}, {5, 5}, {3, 5}, {3, 6}, {5, 6}, {5, 7}, {2, 7}};
+  const Plan plan = PlanIn(PictureScene(ponds, 8), {ring});
+  EXPECT_EQ(CountsOf(plan), "1 closed");
+  EXPECT_NEAR(AreaOf(plan), 7, 1e-9);
+  ExpectSound(plan);
+}
+
+TEST(CutByAreaTest, APolygonThatLeavesAHoleOutAlongItsRimLeavesItOpen) {
+  const Picture ponds = {"########", "##...#.#", "##...###", "##...###",
+                         "########", "########", "########", "########"};
+  const Plan plan = PlanIn(PictureScene(ponds, 8), {Box(0, 0, 8, 8), Box(2, 4, 5, 7)});
+  EXPECT_EQ(CountsOf(plan), "1 closed");
+  EXPECT_NEAR(AreaOf(plan), 1, 1e-9);
+  ExpectSound(plan);
+}
+
 TEST(CutByAreaTest, DoesNotDependOnTheDirectionAndTheStartOfARing) {
   Ring ring = Box(1, 1, 5.5, 7);
   const double area = AreaOf(PlanIn(PictureScene(kBay, 8), {ring}));
