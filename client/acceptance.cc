@@ -275,11 +275,11 @@ class AcceptanceCheck {
   // Judges the edges of tiles in rows below `row`, all of whose neighbours were read.
   void Resolve(int32_t row) {
     const JoinedEdges::Released released = edges_.ReleaseBelow(row);
-    for (const NewOpenEdge& e : released.crowded) {
-      AddEdge(kNonManifoldEdge, e, "between tiles");
-    }
-    // The same edge in two layers that lie over each other is no seam.
+    // The same edge in two layers that lie on each other is no seam: the tiles may be cut from one mesh, with a buffer.
     if (reported_.overlap <= 0) {
+      for (const NewOpenEdge& e : released.crowded) {
+        AddEdge(kNonManifoldEdge, e, "between tiles");
+      }
       for (const NewOpenEdge& e : released.turned) {
         AddEdge(kTurnedEdge, e, "between tiles");
       }

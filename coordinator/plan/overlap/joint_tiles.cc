@@ -129,6 +129,20 @@ class FixedPlaces {
     }
   }
 
+  // The tile's boundary may pass through a corner, at a height of its own. For the other tiles to meet it there, it
+  // takes that of the corner.
+  void SettleCorners(CellId cell, const ClipSquare& square, ClippedTile& clipped) const {
+    for (ClipVertex& v : clipped.vertices) {
+      for (const Side x : {kWest, kEast}) {
+        for (const Side y : {kSouth, kNorth}) {
+          if (v.outside || v.position.x() != square.side[x] || v.position.y() != square.side[y]) continue;
+          const auto corner = corner_height_.find(CornerOf(cell, {x, y}));
+          if (corner != corner_height_.end()) v.position.z() = corner->second.first / corner->second.second;
+        }
+      }
+    }
+  }
+
   // Where the edge of the area ends in the clipped boundary, or goes on beside it.
   void AddAreaEnds(const std::vector<BoundaryVertex>& vertices, const ClippedTile& clipped) {
     for (size_t i = 0; i < clipped.inner.size(); ++i) {
@@ -185,6 +199,7 @@ class Joiner {
     }
     for (const Border& border : borders) MergeNearEnds(border);
     for (auto& [cell, clipped] : clipped_) {
+      fixed_.SettleCorners(cell, joint_.squares.at(cell), clipped);
       fixed_.AddAreaEnds(joint_.own.at(cell)->vertices, clipped);
       MakeRecord(cell, clipped, joint_);
     }
