@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <tuple>
@@ -41,6 +43,10 @@ class PieceFinder {
     const Point2 corner = input.grid.corner + Point2(cell.col, cell.row).cwiseProduct(input.grid.cell_size);
     inside_ = Eigen::AlignedBox2d(corner, corner + input.grid.cell_size)
                   .intersection(Eigen::AlignedBox2d(record.lo.head<2>(), record.hi.head<2>()));
+    for (size_t v = 0; v < record.vertices.size(); ++v) {
+      const double at = ground.on_object[v] ? ground.ground[v] : record.vertices[v].position.z();
+      highest_ground_ = std::fmax(highest_ground_, at);
+    }
   }
 
   std::set<int32_t> Find() const {
@@ -64,9 +70,10 @@ class PieceFinder {
  private:
   Point2 At(int32_t v) const { return record_.vertices[v].position.head<2>(); }
 
-  // Nothing if the vertex stands on the ground, or that is not known.
+  // Nothing if the vertex stands on the ground. Far off all ground the highest that is known stands for it.
   std::optional<double> HeightAboveGround(int32_t v) const {
-    const double height = record_.vertices[v].position.z() - ground_.ground[v];
+    const double ground = std::isnan(ground_.ground[v]) ? highest_ground_ : ground_.ground[v];
+    const double height = record_.vertices[v].position.z() - ground;
     return ground_.on_object[v] && height > 0 ? std::optional(height) : std::nullopt;
   }
 
@@ -127,7 +134,8 @@ class PieceFinder {
   const PlanInput& input_;
   const SurveyRecord& record_;
   const RimGround& ground_;
-  Eigen::AlignedBox2d inside_;  // of the cell and of the tile
+  Eigen::AlignedBox2d inside_;                                        // of the cell and of the tile
+  double highest_ground_ = std::numeric_limits<double>::quiet_NaN();  // at the tile's boundary; NaN: none is known
 };
 
 // The record with the edges of the pieces alone, or with all others. It has a band if that is asked for.
@@ -215,6 +223,7 @@ void AddPieces(const PlanInput& input, CellId cell, const std::set<int32_t>& pie
   const std::vector<int32_t> numbers = PlanVerticesOf(cell, VerticesOfOthers(*record, pieces), rim, plan);
   for (PlannedHole& hole : found.holes) {
     for (RimSegment& s : hole.segments) s = {numbers[s.from], numbers[s.to], s.seam};
+    hole.hangs = true;
     plan.holes.push_back(std::move(hole));
   }
   std::ranges::move(found.left, std::back_inserter(plan.left));

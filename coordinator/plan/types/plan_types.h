@@ -95,6 +95,7 @@ struct PlannedHole {
   SingleType single = SingleType::kNone;
   bool continuous = false;  // of a single mesh: touches another hole, or itself, at a vertex
   bool projects = true;     // its boundary is simple seen from above
+  bool hangs = false;       // in a piece of surface that hangs over other holes (hole/free_pieces.h)
   bool in_ground = false;   // closed holes: the rim has a vertex on the ground (mark_objects.h)
   int32_t cluster = -1;     // open holes
   int32_t layer = 0;        // open holes: from 1

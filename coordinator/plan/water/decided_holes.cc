@@ -16,6 +16,7 @@ bool IsDecision(const WaterArea& area) { return area.decision != ReviewDecision:
 // A cluster of open holes, or a closed hole, its boundary seen from above, and what the areas cover of it.
 struct CoveredGroup {
   std::vector<int32_t> holes;
+  bool hangs;
   std::vector<PlaneSegment> boundary;
   CoverLines region;
   std::vector<AreaShare> shares;
@@ -28,13 +29,14 @@ std::vector<CoveredGroup> CoveredGroups(const AreaIndex& index, const Plan& plan
     std::vector<PlaneSegment> boundary = BoundaryOf(plan, holes);
     CoverLines region(boundary);
     std::vector<AreaShare> shares = index.SharesOf(region, IsDecision);
-    if (!shares.empty())
-      groups.push_back({std::move(holes), std::move(boundary), std::move(region), std::move(shares)});
+    if (shares.empty()) continue;
+    const bool hangs = plan.holes[holes.front()].hangs;
+    groups.push_back({std::move(holes), hangs, std::move(boundary), std::move(region), std::move(shares)});
   }
   return groups;
 }
 
-// Leaves areas out of groups that they are not about.
+// Leaves areas out of groups that they are not about. An area about none is about those that do not hang over others.
 void DropOthers(const std::vector<WaterArea>& areas, const AreaIndex& index, std::vector<CoveredGroup>& groups) {
   struct Most {
     double fit = 0;  // share of the area times share of the group
@@ -52,8 +54,10 @@ void DropOthers(const std::vector<WaterArea>& areas, const AreaIndex& index, std
     }
   }
   for (CoveredGroup& group : groups) {
-    std::erase_if(group.shares,
-                  [&](const AreaShare& s) { return most[s.area].group != nullptr && most[s.area].group != &group; });
+    std::erase_if(group.shares, [&](const AreaShare& s) {
+      const CoveredGroup* about = most[s.area].group;
+      return about != &group && (about != nullptr || group.hangs);
+    });
   }
 }
 
@@ -83,6 +87,7 @@ std::optional<size_t> DeciderOf(const Plan& plan, const std::vector<int32_t>& ho
   const auto decision = plan.decisions.find(holes.front());
   if (decision != plan.decisions.end() && areas[decision->second].decision != ReviewDecision::kAccept)
     return decision->second;
+  if (plan.holes[holes.front()].hangs) return std::nullopt;
   const CoverLines region(BoundaryOf(plan, holes));
   const auto is_of_water = [](const WaterArea& area) { return area.decision == ReviewDecision::kNone; };
   std::vector<AreaShare> shares = index.SharesOf(region, is_of_water);

@@ -22,7 +22,8 @@ namespace tilemend {
 void DecideHoles(const std::vector<WaterArea>& areas, Plan& plan, const std::function<bool()>& is_cancelled = {});
 
 // The area that decides whether the holes of a group are water, or none. A reviewer's decision comes first; it may be
-// to accept, which decides nothing. An area that is cleared has no part in holes whose rim is all above what it takes
+// to accept, which decides nothing. Holes in pieces that hang over others are in no other area: what it is about lies
+// below them. An area that is cleared has no part in holes whose rim is all above what it takes
 // out.
 //
 //   index  of `areas`

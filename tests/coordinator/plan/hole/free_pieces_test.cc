@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -70,17 +71,28 @@ TEST(FindFreePiecesTest, NotOverOtherSurfaceNorAtTheOutlineOfTheTile) {
   }
 }
 
-TEST(FindFreePiecesTest, NotWhereAVertexStandsOnTheGroundOrThatIsNotKnown) {
+TEST(FindFreePiecesTest, NotWhereAVertexStandsOnTheGroundOrThatIsNotTold) {
   PieceScene scene;
   scene.AddSquare(8, 9, 20, true);
   scene.ground.on_object.back() = false;
   EXPECT_TRUE(FindFreePieces(scene.Input()).empty());
   scene.ground.on_object.back() = true;
-  scene.ground.ground.back() = NAN;
-  EXPECT_TRUE(FindFreePieces(scene.Input()).empty());
   PlanInput input = scene.Input();
   input.rim_ground.clear();
   EXPECT_TRUE(FindFreePieces(input).empty());
+}
+
+// As in the middle of a lake.
+TEST(FindFreePiecesTest, TheHighestGroundStandsForGroundThatIsFarOff) {
+  PieceScene scene;
+  scene.AddSquare(8, 9, 20, true);
+  for (size_t v = scene.ground.ground.size() - 4; v < scene.ground.ground.size(); ++v) scene.ground.ground[v] = NAN;
+  EXPECT_EQ(FindFreePieces(scene.Input()), FreePieces({{kCell, {1}}}));
+  scene.record.vertices[0].position.z() = 19;
+  EXPECT_TRUE(FindFreePieces(scene.Input()).empty());
+  scene.ground.on_object.assign(scene.ground.on_object.size(), true);
+  std::ranges::fill(scene.ground.ground, NAN);
+  EXPECT_TRUE(FindFreePieces(scene.Input()).empty());
 }
 
 TEST(WithoutPiecesTest, LeavesTheOtherEdgesAndAllVertices) {
@@ -107,6 +119,8 @@ TEST(FreePiecesTest, TheHoleGoesOnBelowThem) {
     EXPECT_EQ(plan.holes[0].area, 256);
     EXPECT_EQ(plan.holes[0].segments.size(), 4U);
     EXPECT_EQ(plan.holes.size(), s == &scene ? 1U : 2U);
+    EXPECT_FALSE(plan.holes[0].hangs);
+    EXPECT_TRUE(s == &scene || plan.holes[1].hangs);
     EXPECT_EQ(plan.left.size(), 1U);
     EXPECT_FALSE(plan.left[0].is_hole);
     EXPECT_EQ(plan.left[0].edges, 4);
