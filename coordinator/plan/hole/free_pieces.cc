@@ -2,9 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <tuple>
@@ -43,10 +41,6 @@ class PieceFinder {
     const Point2 corner = input.grid.corner + Point2(cell.col, cell.row).cwiseProduct(input.grid.cell_size);
     inside_ = Eigen::AlignedBox2d(corner, corner + input.grid.cell_size)
                   .intersection(Eigen::AlignedBox2d(record.lo.head<2>(), record.hi.head<2>()));
-    for (size_t v = 0; v < record.vertices.size(); ++v) {
-      const double at = ground.on_object[v] ? ground.ground[v] : record.vertices[v].position.z();
-      highest_ground_ = std::fmax(highest_ground_, at);
-    }
   }
 
   std::set<int32_t> Find() const {
@@ -70,10 +64,9 @@ class PieceFinder {
  private:
   Point2 At(int32_t v) const { return record_.vertices[v].position.head<2>(); }
 
-  // Nothing if the vertex stands on the ground. Far off all ground the highest that is known stands for it.
+  // Nothing if the vertex stands on the ground, or that is not known.
   std::optional<double> HeightAboveGround(int32_t v) const {
-    const double ground = std::isnan(ground_.ground[v]) ? highest_ground_ : ground_.ground[v];
-    const double height = record_.vertices[v].position.z() - ground;
+    const double height = record_.vertices[v].position.z() - ground_.ground[v];
     return ground_.on_object[v] && height > 0 ? std::optional(height) : std::nullopt;
   }
 
@@ -134,8 +127,7 @@ class PieceFinder {
   const PlanInput& input_;
   const SurveyRecord& record_;
   const RimGround& ground_;
-  Eigen::AlignedBox2d inside_;                                        // of the cell and of the tile
-  double highest_ground_ = std::numeric_limits<double>::quiet_NaN();  // at the tile's boundary; NaN: none is known
+  Eigen::AlignedBox2d inside_;  // of the cell and of the tile
 };
 
 // The record with the edges of the pieces alone, or with all others. It has a band if that is asked for.

@@ -14,8 +14,7 @@ namespace tilemend {
 using FreePieces = std::map<CellId, std::set<int32_t>>;
 
 // A piece is free if all of this holds:
-//   - Each of its boundary vertices stands on an object, above the ground there. Where that is not known, it is above
-//     the highest ground at the tile's boundary.
+//   - Each of its boundary vertices stands on an object, above ground that is known.
 //   - Its loops close. A wall from them to the ground would have over ten times the area of the triangles from their
 //     edges to their middles: a round opening hangs higher than 2.5 times its width.
 //   - It lies inside its cell and inside its tile's outline, by more than its longest edge, and in the area's polygon.

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -71,28 +70,17 @@ TEST(FindFreePiecesTest, NotOverOtherSurfaceNorAtTheOutlineOfTheTile) {
   }
 }
 
-TEST(FindFreePiecesTest, NotWhereAVertexStandsOnTheGroundOrThatIsNotTold) {
+TEST(FindFreePiecesTest, NotWhereAVertexStandsOnTheGroundOrThatIsNotKnown) {
   PieceScene scene;
   scene.AddSquare(8, 9, 20, true);
   scene.ground.on_object.back() = false;
   EXPECT_TRUE(FindFreePieces(scene.Input()).empty());
   scene.ground.on_object.back() = true;
+  scene.ground.ground.back() = NAN;
+  EXPECT_TRUE(FindFreePieces(scene.Input()).empty());
   PlanInput input = scene.Input();
   input.rim_ground.clear();
   EXPECT_TRUE(FindFreePieces(input).empty());
-}
-
-// As in the middle of a lake.
-TEST(FindFreePiecesTest, TheHighestGroundStandsForGroundThatIsFarOff) {
-  PieceScene scene;
-  scene.AddSquare(8, 9, 20, true);
-  for (size_t v = scene.ground.ground.size() - 4; v < scene.ground.ground.size(); ++v) scene.ground.ground[v] = NAN;
-  EXPECT_EQ(FindFreePieces(scene.Input()), FreePieces({{kCell, {1}}}));
-  scene.record.vertices[0].position.z() = 19;
-  EXPECT_TRUE(FindFreePieces(scene.Input()).empty());
-  scene.ground.on_object.assign(scene.ground.on_object.size(), true);
-  std::ranges::fill(scene.ground.ground, NAN);
-  EXPECT_TRUE(FindFreePieces(scene.Input()).empty());
 }
 
 TEST(WithoutPiecesTest, LeavesTheOtherEdgesAndAllVertices) {
