@@ -72,7 +72,8 @@ class MeshFiller {
     filled_.files = std::move(survey_.files);
     if (survey_.record.copied_triangles > 0) {
       filled_.report.warnings.push_back(
-          absl::StrCat(mesh_.name(), ": every face is there more than once; the holes of one copy were filled"));
+          absl::StrCat(mesh_.name(), ": ", survey_.record.copied_triangles,
+                       " of its faces are copies of others; holes were found and filled as if each were there once"));
     }
     WarnOfTurnedFaces();
     WarnOfCoarseNumbers();

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
 
 #include "common/mesh/position_index.h"
+#include "common/mesh/triangle_copies.h"
 
 namespace tilemend {
 namespace {
@@ -55,9 +57,10 @@ std::vector<OutlineEdge> OutlineOf(const TriMesh& mesh) {
     if (position == lowest.size()) lowest.push_back(static_cast<int32_t>(v));
     number.push_back(lowest[position]);
   }
+  const std::optional<std::vector<Triangle>> once = WithoutCopies(mesh);
   std::vector<OutlineEdge> edges;
   edges.reserve(3 * mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) {
+  for (const Triangle& t : once ? *once : mesh.triangles) {
     const int32_t n[3] = {number[t[0]], number[t[1]], number[t[2]]};
     if (n[0] == n[1] || n[1] == n[2] || n[0] == n[2]) continue;
     for (int k = 0; k < 3; ++k) edges.emplace_back(std::minmax(n[k], n[(k + 1) % 3]));

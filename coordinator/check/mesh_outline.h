@@ -13,8 +13,8 @@ namespace tilemend {
 // An edge by the lowest vertices at its ends' positions, the lower one first.
 using OutlineEdge = std::pair<int32_t, int32_t>;
 
-// The edges that exactly one triangle with corners at three positions has, sorted. O(n log n) in the triangles, some
-// 100 bytes each: for the rare tile of which something seems to be wrong.
+// The edges that exactly one triangle with corners at three positions has, sorted. Copies count as one. O(n log n) in
+// the triangles, some 100 bytes each: for the rare tile of which something seems to be wrong.
 std::vector<OutlineEdge> OutlineOf(const TriMesh& mesh);
 
 // A sum over all edges that have an odd number of triangles; OutlineSumOfEdge gives the summand of one edge. If the

@@ -11,6 +11,7 @@
 
 #include "common/mesh/disjoint_sets.h"
 #include "common/mesh/position_index.h"
+#include "common/mesh/triangle_copies.h"
 #include "common/mesh/triangle_shape.h"
 #include "worker/survey/orient_faces.h"
 #include "worker/survey/welded_edges.h"
@@ -318,7 +319,7 @@ void CountRepeatedEdges(const MeshView& mesh, SurveyRecord& record) {
 }
 
 // Each triangle once, if all are there more than once with the same corners in the same order around.
-std::optional<std::vector<Triangle>> WithoutCopies(const MeshView& mesh) {
+std::optional<std::vector<Triangle>> OfOneLayer(const MeshView& mesh) {
   std::vector<Triangle> once;
   PositionIndex index;
   std::vector<int32_t> number;
@@ -375,13 +376,14 @@ SurveyRecord SurveyByType(const MeshView& mesh, bool float32, PieceAreas areas) 
 
 SurveyRecord SurveyTile(const MeshView& mesh, bool float32, PieceAreas areas) {
   SurveyRecord record = SurveyByType(mesh, float32, areas);
-  if (areas == PieceAreas::kNo) return record;
-  std::optional<std::vector<Triangle>> other = record.repeated_edges > 0 ? WithoutCopies(mesh) : std::nullopt;
+  std::optional<std::vector<Triangle>> other;
+  if (record.repeated_edges > 0 && areas == PieceAreas::kYes) other = OfOneLayer(mesh);
+  if (record.repeated_edges > 0 && !other) other = WithoutCopies(mesh);
   const int64_t copied = other ? static_cast<int64_t>(mesh.triangles.size()) - std::ssize(*other) : 0;
   const auto survey_other = [&] { return SurveyByType({mesh.points, TriangleRows(*other)}, float32, areas); };
   if (copied > 0) record = survey_other();
   int64_t turned = 0;
-  if (record.disagreeing_edges > 0) {
+  if (areas == PieceAreas::kYes && record.disagreeing_edges > 0) {
     if (!other) other = mesh.triangles.Copy();
     turned = OrientFaces(mesh.points, *other);
     if (turned > 0) record = survey_other();

@@ -8,13 +8,14 @@
 namespace tilemend {
 
 // Whether SurveyRecord::piece_areas, edge_after and repeated_edges are wanted. The first takes one more look at every
-// triangle, the others the cost of a sort for a mesh without boundary. With kYes a mesh that has every triangle more
-// than once is surveyed as if it had each once (copied_triangles), and faces that disagree about the front as if they
-// were turned (turned_triangles). With kNo, as tiles are surveyed, edges may be double (welded_edges.h).
+// triangle, the others the cost of a sort for a mesh without boundary. With kYes faces that disagree about the front
+// are surveyed as if they were turned (turned_triangles). With kNo, as tiles are surveyed, edges may be double
+// (welded_edges.h).
 enum class PieceAreas { kYes, kNo };
 
 // Finds the boundary edges of `mesh` on welded positions: edges that exactly one triangle with area has. Texture seams,
-// which double vertices, are no boundary.
+// which double vertices, are no boundary. Where copies of triangles lie on the boundary, the mesh is surveyed as if it
+// had each triangle once (copied_triangles).
 //
 // Source: Wang 2021, 3.1, without a half-edge structure of the whole tile. One pass over the triangles shows which
 // vertices are inside: their outgoing and incoming edges cancel. Only the others are looked at. Cost: linear in

@@ -39,6 +39,12 @@ TEST(OutlineOfTest, HasTheEdgesOfATriangleThatIsMissing) {
   EXPECT_THAT(OutlineOf(OpenTetrahedron()), ElementsAre(Pair(0, 2), Pair(0, 3), Pair(2, 3)));
 }
 
+TEST(OutlineOfTest, CountsCopiesOnce) {
+  TriMesh mesh = OpenTetrahedron();
+  mesh.triangles.push_back({2, 1, 0});
+  EXPECT_EQ(OutlineOf(mesh), OutlineOf(OpenTetrahedron()));
+}
+
 TEST(OutlineOfTest, NamesDoubledVerticesByTheLowest) {
   TriMesh mesh = Tetrahedron();
   mesh.points.push_back(mesh.points[3]);
