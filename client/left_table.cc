@@ -25,6 +25,8 @@ std::map<std::string, const Json*> HolesById(const Json& report) {
   return holes;
 }
 
+Json SeenFromAbove(const Json& at) { return at.size() == 3 ? Json({at[0], at[1]}) : Json(); }
+
 std::vector<std::string> Row(const Json& item, const std::map<std::string, const Json*>& holes,
                              const HoleColumns& columns) {
   const std::string id = Text(Member(item, "hole"));
@@ -33,7 +35,7 @@ std::vector<std::string> Row(const Json& item, const std::map<std::string, const
   const Json& hole = it == holes.end() ? nothing : *it->second;
   return {id,
           Text(Member(item, "cell")),
-          CentreText(Member(hole, "centre")),
+          CentreText(it == holes.end() ? SeenFromAbove(Member(item, "at")) : Member(hole, "centre")),
           columns.Area(hole),
           Text(Member(item, "open_edges")),
           Text(Member(item, "reason"))};

@@ -115,11 +115,29 @@ void StoreHoles(FoundHoles found, int32_t base, Plan& plan) {
   plan.outer_rims += found.outer_rims;
 }
 
+// Walks along the rim that end somewhere. Each cell has its edges of them; the fault lies in those with an end.
 void LeaveUnlinked(const Rim& rim, Plan& plan) {
-  std::map<CellId, int64_t> count;
-  for (const int32_t e : rim.unlinked) ++count[rim.edges[e].owner];
-  for (const auto& [cell, edges] : count) {
-    plan.left.push_back({cell, "boundary edges that form no loop: the surface is not manifold there", -1, edges});
+  std::map<int32_t, int> ending;  // at each point: walks that end there, less those that begin
+  for (const int32_t e : rim.unlinked) ++ending[rim.edges[e].to], --ending[rim.edges[e].from];
+  struct Edges {
+    int64_t count = 0;
+    int32_t first_end = -1;
+  };
+  std::map<CellId, Edges> of_cell;
+  for (const int32_t e : rim.unlinked) {
+    Edges& edges = of_cell[rim.edges[e].owner];
+    ++edges.count;
+    for (const int32_t p : {rim.edges[e].from, rim.edges[e].to}) {
+      if (ending.at(p) != 0 && edges.first_end < 0) edges.first_end = p;
+    }
+  }
+  for (const auto& [cell, edges] : of_cell) {
+    if (edges.first_end < 0) {
+      plan.left.push_back({cell, "boundary edges that form no loop with those of other cells", -1, edges.count});
+    } else {
+      plan.left.push_back({cell, "boundary edges that form no loop: the surface is not manifold there", -1, edges.count,
+                           true, rim.points[edges.first_end].position});
+    }
   }
 }
 

@@ -45,6 +45,25 @@ TEST(MakePlanTest, TilesWithAnOpenBorderAreNotApart) {
   EXPECT_EQ(plan.borders[0].kind, BorderKind::kOpen);
 }
 
+// A triangle that faces down at the rim of a lake over two cells: the fault is in one of them.
+TEST(MakePlanTest, SaysWhereAWalkAroundAHoleEnds) {
+  SurveyedScene scene = PictureScene({"####|####", "##..|..##", "##..|..##", "####|####"}, 4);
+  SurveyRecord& record = scene.records.at({0, 0});
+  const auto is_at_lake = [&](const BoundaryEdge& e) {
+    return record.vertices[e.from].position.head<2>() == Point2(2, 2);
+  };
+  const auto edge = std::ranges::find_if(record.edges, is_at_lake);
+  ASSERT_NE(edge, record.edges.end());
+  record.edges.erase(edge);
+  const Plan plan = MakePlan(scene.Input(), {});
+  ASSERT_EQ(plan.left.size(), 2U);
+  EXPECT_THAT(plan.left[0].reason, HasSubstr("not manifold there"));
+  ASSERT_TRUE(plan.left[0].at);
+  EXPECT_EQ(plan.left[0].at->x(), 2);
+  EXPECT_THAT(plan.left[1].reason, HasSubstr("with those of other cells"));
+  EXPECT_FALSE(plan.left[1].at);
+}
+
 TEST(MakePlanTest, FindsAClosedHole) {
   const Plan plan = PlanOf(Picture{"####",  //
                                    "#..#",  //
