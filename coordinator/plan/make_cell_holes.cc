@@ -194,7 +194,7 @@ class CellHolesBuilder {
     if (const auto it = heights_.tension.find(planned.cluster); it != heights_.tension.end()) hole.tension = it->second;
     if (const auto it = heights_.walls.find(planned.cluster); it != heights_.walls.end()) hole.walls = it->second;
     hole.slope = planned.slope;
-    hole.in_ground = planned.in_ground;
+    hole.in_ground = planned.standing == Standing::kInGround;
     if (planned.water >= 0) {
       hole.level = plan_.water[planned.water].level;
       hole.river = plan_.water[planned.water].river;

@@ -215,7 +215,7 @@ void AddPieces(const PlanInput& input, CellId cell, const std::set<int32_t>& pie
   const std::vector<int32_t> numbers = PlanVerticesOf(cell, VerticesOfOthers(*record, pieces), rim, plan);
   for (PlannedHole& hole : found.holes) {
     for (RimSegment& s : hole.segments) s = {numbers[s.from], numbers[s.to], s.seam};
-    hole.hangs = true;
+    hole.standing = Standing::kHanging;
     plan.holes.push_back(std::move(hole));
   }
   std::ranges::move(found.left, std::back_inserter(plan.left));

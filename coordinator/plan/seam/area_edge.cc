@@ -94,6 +94,20 @@ class AreaPolygon {
   const PlanePolygon area_;
 };
 
+// The numbers of new points of the rim.
+std::vector<int32_t> AddPoints(const std::vector<RingVertex>& vertices, Rim& rim) {
+  std::vector<int32_t> numbers;
+  for (const RingVertex& v : vertices) {
+    RimPoint point;
+    point.index = -1;
+    point.position = Point3(v.position.x(), v.position.y(), 0);
+    point.size = v.size;
+    numbers.push_back(static_cast<int32_t>(rim.points.size()));
+    rim.points.push_back(point);
+  }
+  return numbers;
+}
+
 class AreaCutter {
  public:
   AreaCutter(const SeamSite& site, const PlanInput& input)
@@ -193,7 +207,7 @@ class AreaCutter {
            absl::StrFormat("at (%.3f, %.3f) the area leaves out a part inside a hole: it is filled", p.x(), p.y())});
       return;
     }
-    std::vector<int32_t> way = Add(spacer_.Around(rings_[r]));
+    std::vector<int32_t> way = AddPoints(spacer_.Around(rings_[r]), result_.rim);
     way.push_back(way.front());
     AddChain(way);
   }
@@ -225,21 +239,7 @@ class AreaCutter {
     std::vector<Point2> corners = {at(begin)};
     for (double t = std::floor(begin) + 1; t < end; ++t) corners.push_back(at(t));
     corners.push_back(at(end));
-    return Add(spacer_.Along(corners));
-  }
-
-  // Numbers new vertices.
-  std::vector<int32_t> Add(const std::vector<RingVertex>& vertices) {
-    std::vector<int32_t> numbers;
-    for (const RingVertex& v : vertices) {
-      RimPoint point;
-      point.index = -1;
-      point.position = Point3(v.position.x(), v.position.y(), 0);
-      point.size = v.size;
-      numbers.push_back(static_cast<int32_t>(result_.rim.points.size()));
-      result_.rim.points.push_back(point);
-    }
-    return numbers;
+    return AddPoints(spacer_.Along(corners), result_.rim);
   }
 
   const SeamSite& site_;

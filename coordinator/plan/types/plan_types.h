@@ -88,19 +88,24 @@ enum class HoleKind { kClosed, kOpenI, kOpenII };
 enum class HoleType { kNone, kA, kB, kC, kD };                                      // open holes: Wang 3.1, figure 5
 enum class SingleType { kNone, kCrack, kDislocation, kAnnular, kIsland, kSimple };  // Zhang 2022, 4.1
 
+enum class Standing : uint8_t {
+  kElse,
+  kInGround,  // the rim has a vertex on the ground (mark_objects.h)
+  kHanging,   // in a piece of surface that hangs over other holes (hole/free_pieces.h)
+};
+
 struct PlannedHole {
   CellId cell;
   HoleKind kind = HoleKind::kClosed;
   HoleType type = HoleType::kNone;
   SingleType single = SingleType::kNone;
-  bool continuous = false;  // of a single mesh: touches another hole, or itself, at a vertex
-  bool projects = true;     // its boundary is simple seen from above
-  bool hangs = false;       // in a piece of surface that hangs over other holes (hole/free_pieces.h)
-  bool in_ground = false;   // closed holes: the rim has a vertex on the ground (mark_objects.h)
-  int32_t cluster = -1;     // open holes
-  int32_t layer = 0;        // open holes: from 1
-  double area = 0;          // m2, seen from above (closed holes that do not project: of the boundary's vector area)
-  double perimeter = 0;     // metres of original boundary
+  bool continuous = false;              // of a single mesh: touches another hole, or itself, at a vertex
+  bool projects = true;                 // its boundary is simple seen from above
+  Standing standing = Standing::kElse;  // closed holes
+  int32_t cluster = -1;                 // open holes
+  int32_t layer = 0;                    // open holes: from 1
+  double area = 0;       // m2, seen from above (closed holes that do not project: of the boundary's vector area)
+  double perimeter = 0;  // metres of original boundary
   int32_t boundary_vertices = 0;
   Point2 centre{0, 0};
   Point2 slope{0, 0};                // of the ground that its cluster lies in (rim_slopes.h)

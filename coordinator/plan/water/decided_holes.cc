@@ -30,7 +30,7 @@ std::vector<CoveredGroup> CoveredGroups(const AreaIndex& index, const Plan& plan
     CoverLines region(boundary);
     std::vector<AreaShare> shares = index.SharesOf(region, IsDecision);
     if (shares.empty()) continue;
-    const bool hangs = plan.holes[holes.front()].hangs;
+    const bool hangs = plan.holes[holes.front()].standing == Standing::kHanging;
     groups.push_back({std::move(holes), hangs, std::move(boundary), std::move(region), std::move(shares)});
   }
   return groups;
@@ -87,7 +87,7 @@ std::optional<size_t> DeciderOf(const Plan& plan, const std::vector<int32_t>& ho
   const auto decision = plan.decisions.find(holes.front());
   if (decision != plan.decisions.end() && areas[decision->second].decision != ReviewDecision::kAccept)
     return decision->second;
-  if (plan.holes[holes.front()].hangs) return std::nullopt;
+  if (plan.holes[holes.front()].standing == Standing::kHanging) return std::nullopt;
   const CoverLines region(BoundaryOf(plan, holes));
   const auto is_of_water = [](const WaterArea& area) { return area.decision == ReviewDecision::kNone; };
   std::vector<AreaShare> shares = index.SharesOf(region, is_of_water);

@@ -39,9 +39,10 @@ void LowerSizesAtObjects(Plan& plan) {
 void MarkHolesInGround(Plan& plan) {
   for (const std::vector<int32_t>& holes : GroupHoles(plan)) {
     PlannedHole& hole = plan.holes[holes.front()];
+    if (hole.kind != HoleKind::kClosed || hole.standing == Standing::kHanging) continue;
     const std::vector<int32_t> rim = RimVerticesOf(plan, holes);
-    hole.in_ground = hole.kind == HoleKind::kClosed &&
-                     std::ranges::any_of(rim, [&](int32_t v) { return plan.vertices[v].on_ground; });
+    const bool is_in_ground = std::ranges::any_of(rim, [&](int32_t v) { return plan.vertices[v].on_ground; });
+    hole.standing = is_in_ground ? Standing::kInGround : Standing::kElse;
   }
 }
 

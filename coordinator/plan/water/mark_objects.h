@@ -11,7 +11,7 @@ namespace tilemend {
 // crown is filled as these go on. Nor do those that the part of a hole in a roof joins (hole_parts.h). Where such a
 // part passes above the rim, on_object is set, and ground is the height of the fill there. A vertex on several rims
 // stands on an object if it does for one of them. Lowers the sizes of vertices on objects to the lengths of their edges
-// seen from above. Sets PlannedHole::in_ground of those closed holes that have an original vertex on the ground. Cost
+// seen from above. Sets PlannedHole::standing of those closed holes that have an original vertex on the ground. Cost
 // O(n log n) in the holes' segments, and that of FindRoofParts.
 void MarkObjects(Plan& plan);
 

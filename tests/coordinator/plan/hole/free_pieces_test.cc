@@ -107,8 +107,8 @@ TEST(FreePiecesTest, TheHoleGoesOnBelowThem) {
     EXPECT_EQ(plan.holes[0].area, 256);
     EXPECT_EQ(plan.holes[0].segments.size(), 4U);
     EXPECT_EQ(plan.holes.size(), s == &scene ? 1U : 2U);
-    EXPECT_FALSE(plan.holes[0].hangs);
-    EXPECT_TRUE(s == &scene || plan.holes[1].hangs);
+    EXPECT_NE(plan.holes[0].standing, Standing::kHanging);
+    EXPECT_TRUE(s == &scene || plan.holes[1].standing == Standing::kHanging);
     EXPECT_EQ(plan.left.size(), 1U);
     EXPECT_FALSE(plan.left[0].is_hole);
     EXPECT_EQ(plan.left[0].edges, 4);

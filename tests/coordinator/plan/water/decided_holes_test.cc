@@ -204,7 +204,7 @@ TEST_F(DecideHolesTest, DecisionsTogetherHaveNoDoubt) {
 // A hole in a lantern over the lake.
 TEST_F(DecideHolesTest, AreasAreNotAboutHolesThatHangOverWhatTheyAreAbout) {
   AddHole(HoleKind::kClosed, BoxOf(6, 7), -1);
-  plan_.holes[3].hangs = true;
+  plan_.holes[3].standing = Standing::kHanging;
   EXPECT_EQ(Decide({Decision(ReviewDecision::kWater, -30, 50)}), (std::vector<int32_t>{0, -1, 0, -1}));
   plan_.decisions.clear();
   EXPECT_EQ(Decide({Decision(ReviewDecision::kOpen, 6, 7)}), (std::vector<int32_t>{-1, -1, -1, 0}));
@@ -214,7 +214,7 @@ TEST_F(DecideHolesTest, AreasAreNotAboutHolesThatHangOverWhatTheyAreAbout) {
   lake.polygon.rings = {BoxOf(-1, 30)};
   const std::vector<WaterArea> areas = {lake};
   EXPECT_EQ(DeciderOf(plan_, {3}, areas, AreaIndex(areas, {})), std::nullopt);
-  plan_.holes[3].hangs = false;
+  plan_.holes[3].standing = Standing::kElse;
   EXPECT_EQ(DeciderOf(plan_, {3}, areas, AreaIndex(areas, {})), 0U);
 }
 

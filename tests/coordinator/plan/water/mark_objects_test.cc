@@ -99,7 +99,7 @@ TEST(HolesInGroundTest, AClosedHoleWithGroundOnItsRimIsOne) {
   const auto is_in_ground = [](const Plan& plan) {
     EXPECT_EQ(plan.holes.size(), 1u);
     EXPECT_EQ(plan.holes[0].kind, HoleKind::kClosed);
-    return plan.holes[0].in_ground;
+    return plan.holes[0].standing == Standing::kInGround;
   };
   EXPECT_TRUE(is_in_ground(PlanOfClosed(nowhere, true)));
   EXPECT_TRUE(is_in_ground(PlanOfClosed(in_west, true)));
