@@ -13,6 +13,7 @@
 #include "common/grid/json_text.h"
 #include "common/grid/scene_sources.h"
 #include "common/mesh/outline_crossing.h"
+#include "common/mesh/ring_polygons.h"
 #include "common/util/files.h"
 #include "common/util/folders.h"
 #include "common/util/object_store.h"
@@ -266,17 +267,27 @@ absl::Status ReadTiles(const Json& tiles, const std::string& name, Scene* scene)
 
 std::string Number(double value) { return Json(value).dump(); }
 
-// A Polygon whatever the rings are: they are read by the even-odd rule, and do not cross.
-std::string AreaText(const PlanePolygon& area) {
-  Json rings = Json::array();
-  for (const std::vector<Point2>& ring : area.rings) {
-    Json& positions = rings.emplace_back(Json::array());
-    for (size_t i = 0; i <= ring.size(); ++i) {
-      const Point2& p = ring[i % ring.size()];
-      positions.push_back({p.x(), p.y()});
-    }
+Json RingJson(const std::vector<Point2>& ring) {
+  Json positions = Json::array();
+  for (size_t i = 0; i <= ring.size(); ++i) {
+    const Point2& p = ring[i % ring.size()];
+    positions.push_back({p.x(), p.y()});
   }
-  return Json{{"type", "Polygon"}, {"coordinates", rings}}.dump();
+  return positions;
+}
+
+// A Polygon, or a MultiPolygon of parts in the order of their outlines. Precondition: as of PolygonsOf.
+std::string AreaText(const PlanePolygon& area) {
+  std::vector<RingPolygon> parts = PolygonsOf(area.rings);
+  std::ranges::sort(parts, {}, &RingPolygon::outline);
+  Json polygons = Json::array();
+  for (const RingPolygon& part : parts) {
+    Json& rings = polygons.emplace_back(Json::array());
+    rings.push_back(RingJson(area.rings[part.outline]));
+    for (const int32_t island : part.islands) rings.push_back(RingJson(area.rings[island]));
+  }
+  if (polygons.size() == 1) return Json{{"type", "Polygon"}, {"coordinates", polygons[0]}}.dump();
+  return Json{{"type", "MultiPolygon"}, {"coordinates", polygons}}.dump();
 }
 
 }  // namespace

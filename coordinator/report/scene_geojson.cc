@@ -11,6 +11,7 @@
 #include "absl/strings/str_format.h"
 #include "absl/strings/str_split.h"
 #include "common/gis/property_names.h"
+#include "common/mesh/ring_polygons.h"
 #include "common/mesh/winding/simple_rings.h"
 #include "common/records/water_surface.h"
 #include "coordinator/report/hole_evidence.h"

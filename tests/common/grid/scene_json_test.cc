@@ -113,6 +113,7 @@ TEST_F(SceneJsonTest, AnAreaIsAPolygonOrAFile) {
   const auto again = Load(SceneJson(*several));
   ASSERT_TRUE(again.ok()) << again.status();
   EXPECT_EQ(again->area.rings, several->area.rings);
+  EXPECT_THAT(SceneJson(*several), HasSubstr("MultiPolygon")) << "in a Polygon the second would be a hole";
   const auto file = with(R"("area.gpkg")");
   ASSERT_TRUE(file.ok()) << file.status();
   EXPECT_EQ(file->area_file, folder_ / "area.gpkg");
@@ -165,6 +166,23 @@ TEST_F(SceneJsonTest, RefusesWrongGrids) {
   ExpectInvalid("12.5]", "12.5, 1]", "origin: expected an array of 3 numbers");
   ExpectInvalid("12.5]", "null]", "origin: expected an array of 3 numbers");
   ExpectInvalid("\"EPSG:32650\"", "32650", "crs: expected a text");
+}
+
+TEST_F(SceneJsonTest, AnAreaIsWrittenWithItsIslandsInTheirOutlines) {
+  const auto square = [](double low, double high) {
+    return std::vector<Point2>{{low, low}, {high, low}, {high, high}, {low, high}};
+  };
+  auto scene = Load(kScene);
+  ASSERT_TRUE(scene.ok()) << scene.status();
+  scene->area.rings = {square(4, 5), square(40, 50), square(0, 20), square(2, 9)};
+  const auto again = Load(SceneJson(*scene));
+  ASSERT_TRUE(again.ok()) << again.status();
+  EXPECT_THAT(again->area.rings, ElementsAre(square(4, 5), square(40, 50), square(0, 20), square(2, 9)));
+  EXPECT_EQ(AreaOf(again->area), AreaOf(scene->area));
+  scene->area.rings = {square(2, 9), square(0, 20)};
+  const auto one = Load(SceneJson(*scene));
+  ASSERT_TRUE(one.ok()) << one.status();
+  EXPECT_THAT(one->area.rings, ElementsAre(square(0, 20), square(2, 9))) << "the outline comes first";
 }
 
 TEST_F(SceneJsonTest, RefusesAnAreaThatCrossesItself) {

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "coordinator/report/ring_chains.h"
+#include "common/mesh/ring_polygons.h"
 
 namespace tilemend {
 namespace {
