@@ -241,7 +241,7 @@ class Answers {
   // `taken`: m2 of the bodies that are filled as it says; `under`: what of them lies under the area.
   void AddDoubts(size_t a, double taken, double under, WaterAnswer& answer) const {
     if (answer.taken && answer.water) {
-      AddDoubt(areas_[a].level ? DoubtOfLevel(areas_[a], answer) : DoubtOfShore(answer), answer);
+      AddDoubt(areas_[a].level ? DoubtOfLevel(areas_[a], answer) : DoubtOfShore(areas_[a], answer), answer);
       if (areas_[a].is_mostly_open) AddDoubt(kMostlyOpen, answer);
       AddDoubt(DoubtOfSurface(areas_[a]), answer);
     }
@@ -305,14 +305,15 @@ class Answers {
   }
 
   // A shore that tells no one level: the water may fall, as over a weir, or more than the water lies in the area.
-  std::string DoubtOfShore(const WaterAnswer& answer) const {
+  std::string DoubtOfShore(const WaterArea& area, const WaterAnswer& answer) const {
     double sigma = kSureLevel;
     for (const int32_t h : answer.holes) {
       if (plan_.holes[h].water >= 0 && !IsRiver(h)) sigma = std::max(sigma, plan_.water[plan_.holes[h].water].sigma);
     }
     if (sigma <= kSureLevel) return "";
-    return "its shore tells the level to " + Decimals(sigma) +
-           " m only; level_m sets it, and \"kind\": \"river\" lets it fall";
+    const bool may_fall = area.decision == ReviewDecision::kNone && !area.clear;  // such areas have no `kind`
+    return "its shore tells the level to " + Decimals(sigma) + " m only; level_m sets it" +
+           (may_fall ? ", and \"kind\": \"river\" lets it fall" : "");
   }
 
   bool IsRiver(int32_t h) const {
@@ -328,8 +329,9 @@ class Answers {
     }
     if (river == answer.holes.end()) return "";
     const std::vector<Point3>& stations = plan_.water[plan_.holes[*river].water].river.stations;
-    return "its water falls by " + Decimals(stations.front().z() - stations.back().z()) +
-           " m; \"kind\": \"lake\" makes it level";
+    const bool has_kind = area.decision == ReviewDecision::kNone;
+    return "its water falls by " + Decimals(stations.front().z() - stations.back().z()) + " m; " +
+           (has_kind ? "\"kind\": \"lake\"" : "level_m") + " makes it level";
   }
 
   // The length of the rivers among the bodies that are filled as the answer of area `a` says.

@@ -115,6 +115,26 @@ TEST_F(WaterAnswersTest, SaysThatWaterFallsUnlessTheUserSaidSo) {
   EXPECT_THAT(Answer({area})[0].doubt, HasSubstr("no fall"));
 }
 
+// A decision takes a level, and no "kind".
+TEST_F(WaterAnswersTest, AdvisesForADecisionWhatADecisionTakes) {
+  AddHole(HoleKind::kOpenI, Box(0, 0, 200, 20), 0).water = 0;
+  plan_.water.resize(1);
+  WaterArea area{true, {{Box(-1, -1, 201, 21)}}};
+  const auto doubt = [&](ReviewDecision decision) {
+    plan_.water_answers.clear();
+    plan_.decisions.clear();
+    if (decision != ReviewDecision::kNone) plan_.decisions[0] = 0;
+    area.decision = decision;
+    return Answer({area})[0].doubt;
+  };
+  plan_.water[0].sigma = 1.8;
+  EXPECT_THAT(doubt(ReviewDecision::kNone), HasSubstr("level_m sets it, and \"kind\": \"river\" lets it fall"));
+  EXPECT_EQ(doubt(ReviewDecision::kWater), "its shore tells the level to 1.8 m only; level_m sets it");
+  plan_.water[0].river.stations = {{0, 10, 2}, {200, 10, 1}};
+  EXPECT_THAT(doubt(ReviewDecision::kNone), HasSubstr("; \"kind\": \"lake\" makes it level"));
+  EXPECT_EQ(doubt(ReviewDecision::kWater), "its water falls by 1.0 m; level_m makes it level");
+}
+
 TEST_F(WaterAnswersTest, DoubtsWaterThatWasClearedFromSurfaceThatIsNotLevel) {
   AddHole(HoleKind::kOpenI, Box(0, 0, 10, 10), 0).water = 0;
   plan_.water.resize(1);
