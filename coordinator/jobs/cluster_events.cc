@@ -53,7 +53,7 @@ void ClusterEvents::JobEnded(const Job& job, const JobOutcome& outcome, const ab
               {"holes_filled", job.progress.holes_filled},
               {"triangles", job.progress.triangles},
               {"tasks", job.counts.added},
-              {"retried", job.counts.retried},
+              {"retried", job.counts.given_again()},
               {"quarantined", job.counts.quarantined},
               {"message", outcome.message},
               {"error", std::string(error.message())}});

@@ -34,7 +34,7 @@ void SetProgress(const Job& job, v1::Progress& proto) {
   proto.set_tasks(job.counts.added);
   proto.set_tasks_done(job.counts.settled());
   proto.set_tasks_running(job.counts.leased);
-  proto.set_tasks_retried(job.counts.retried + job.counts.doubled);
+  proto.set_tasks_retried(job.counts.given_again());
   proto.set_tasks_quarantined(job.counts.quarantined);
   proto.set_tasks_taken_over(job.progress.taken_over);
 }

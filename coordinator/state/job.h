@@ -111,6 +111,8 @@ struct TaskCounts {
   int64_t doubled = 0;       // second attempts beside one that took long
   int64_t refused_late = 0;  // results of attempts that had been given up
   int64_t settled() const { return committed + failed + quarantined; }
+  // Attempts beside the first ones, as clients and the log tell of them.
+  int64_t given_again() const { return retried + doubled; }
   // Of a job that begins again.
   TaskCounts WithoutTasks() const { return {.retried = retried, .doubled = doubled, .refused_late = refused_late}; }
   bool operator==(const TaskCounts&) const = default;

@@ -30,6 +30,7 @@ TEST(JobProtoTest, TellsOfARunningJob) {
   job.counts.added = 9;
   job.counts.leased = 2;
   job.counts.retried = 1;
+  job.counts.doubled = 2;
   job.counts.committed = 3;
   job.counts.failed = 1;
   job.counts.quarantined = 1;
@@ -48,7 +49,7 @@ TEST(JobProtoTest, TellsOfARunningJob) {
   EXPECT_EQ(proto.progress().tasks(), 9);
   EXPECT_EQ(proto.progress().tasks_done(), 5);
   EXPECT_EQ(proto.progress().tasks_running(), 2);
-  EXPECT_EQ(proto.progress().tasks_retried(), 1);
+  EXPECT_EQ(proto.progress().tasks_retried(), 3);
   EXPECT_EQ(proto.progress().tasks_quarantined(), 1);
 }
 
