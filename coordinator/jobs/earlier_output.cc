@@ -1,8 +1,11 @@
 #include "coordinator/jobs/earlier_output.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_join.h"
 #include "common/records/output_names.h"
 #include "common/store/digest.h"
 #include "common/util/error_info.h"
@@ -12,6 +15,19 @@
 #include "coordinator/report/report_key.h"
 
 namespace tilemend {
+
+namespace {
+
+constexpr size_t kMostNamed = 10;  // holes in a warning
+
+// Numbers of holes mean the same holes only in an output with the same key.
+std::set<int32_t> DecidedBefore(const JobSpec& spec, const std::string& key) {
+  if (spec.decisions().empty()) return {};
+  const auto report = ReadFile(absl::StrCat(spec.out(), "/", kReportFiles[0]));
+  return report.ok() && KeyInReport(*report) == key ? DecidedHolesIn(*report) : std::set<int32_t>();
+}
+
+}  // namespace
 
 std::string OutputKey(const std::string& scene_key) { return Sha256Hex(scene_key); }
 
@@ -28,21 +44,6 @@ absl::StatusOr<bool> MayReplace(const JobSpec& spec, const std::string& key) {
       {"OUTPUT_EXISTS", {}});
 }
 
-void WarnOfUndoneDecisions(const JobSpec& spec, WaterChoice& water) {
-  if (spec.decisions().empty()) return;
-  const auto is_decision = [](const WaterArea& area) { return area.decision != ReviewDecision::kNone; };
-  const auto given = static_cast<size_t>(std::ranges::count_if(water.options.areas, is_decision));
-  const auto report = ReadFile(absl::StrCat(spec.out(), "/", kReportFiles[0]));
-  const size_t decided = report.ok() ? DecidedHolesIn(*report) : 0;
-  if (decided <= given) return;
-  const std::string holes = absl::StrCat(decided, decided == 1 ? " hole" : " holes");
-  water.warnings.push_back(
-      given == 0
-          ? absl::StrCat(spec.decisions(), ": the decisions of the last run on ", holes, " are undone")
-          : absl::StrCat(spec.decisions(), ": it has ", given, given == 1 ? " decision" : " decisions",
-                         ", and the last run had some on ", holes, "; those that are not in the file are undone"));
-}
-
 absl::StatusOr<JobOnOutput> OnOutput(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest,
                                      const Scene& scene) {
   JobOnOutput job{spec, IdentityOf(spec), "", false};
@@ -54,8 +55,22 @@ absl::StatusOr<JobOnOutput> OnOutput(const JobSpec& spec, const WaterChoice& wat
   job.spec.set_cells(cells.cells);
   job.identity["cells"] = cells.cells;
   job.key = OutputKey(JobKey(job.identity));
+  job.decided_before = DecidedBefore(job.spec, job.key);
   AddFileDigest("decisions", water.decisions_digest, job.identity);
   return job;
+}
+
+std::string UndoneDecisions(const JobOnOutput& job, const std::map<int32_t, int32_t>& decisions) {
+  std::vector<int32_t> undone;
+  for (const int32_t hole : job.decided_before) {
+    if (!decisions.contains(hole)) undone.push_back(hole);
+  }
+  if (undone.empty()) return "";
+  const size_t all = undone.size();
+  undone.resize(std::min(all, kMostNamed));
+  return absl::StrCat(job.spec.decisions(), ": the decisions of the last run on ", all, all == 1 ? " hole" : " holes",
+                      " are undone, as the file has none on ", all == 1 ? "it: hole " : "them: holes ",
+                      absl::StrJoin(undone, ", "), all > undone.size() ? " and others" : "");
 }
 
 }  // namespace tilemend

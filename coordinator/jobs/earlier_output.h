@@ -2,6 +2,9 @@
 #ifndef TILEMEND_COORDINATOR_JOBS_EARLIER_OUTPUT_H_
 #define TILEMEND_COORDINATOR_JOBS_EARLIER_OUTPUT_H_
 
+#include <cstdint>
+#include <map>
+#include <set>
 #include <string>
 
 #include "absl/status/statusor.h"
@@ -19,22 +22,22 @@ std::string OutputKey(const std::string& scene_key);
 // the output of another scene or other options. Cost: reads the report if there are decisions.
 absl::StatusOr<bool> MayReplace(const JobSpec& spec, const std::string& key);
 
-// Adds the warning "decisions.geojson: the decisions of the last run on 4 holes are undone" if the spec names
-// decisions, and `water` has fewer than the report in the output folder has decided holes; another if it has some.
-// Cost: reads the report.
-void WarnOfUndoneDecisions(const JobSpec& spec, WaterChoice& water);
-
 // A job with the cells that its output has then.
 struct JobOnOutput {
   JobSpec spec;
   JobIdentity identity;
   std::string key;  // of its report
   bool adds = false;
+  std::set<int32_t> decided_before = {};  // holes of the output that its report has decisions on; for new decisions
 };
 
 // `water` and `area_digest` tell of the files that the spec names. Errors of CellsWithOutput.
 absl::StatusOr<JobOnOutput> OnOutput(const JobSpec& spec, const WaterChoice& water, const std::string& area_digest,
                                      const Scene& scene);
+
+// "decisions.geojson: the decisions of the last run on 2 holes are undone, as the file has none on them: holes 3, 4";
+// "" if `decisions`, those of the plan, are on all of JobOnOutput::decided_before.
+std::string UndoneDecisions(const JobOnOutput& job, const std::map<int32_t, int32_t>& decisions);
 
 }  // namespace tilemend
 

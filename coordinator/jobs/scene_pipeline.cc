@@ -279,6 +279,8 @@ SceneReportInput ReportOf(const JobOnOutput& job, const SceneWaves& waves, const
   report.files = FileDigestsOf(job.identity);
   report.warnings = waves.scene().warnings;
   for (std::string& warning : tasks.files().Warnings()) report.warnings.push_back(std::move(warning));
+  if (std::string undone = UndoneDecisions(job, waves.plan().decisions); !undone.empty())
+    report.warnings.push_back(undone);
   return report;
 }
 
@@ -417,7 +419,6 @@ absl::StatusOr<std::unique_ptr<JobPipeline>> MakeScenePipeline(const JobSpec& sp
   TILEMEND_RETURN_IF_ERROR(AddClearFile(spec.clear(), FrameOf(scene), water, stop));
   TILEMEND_RETURN_IF_ERROR(KeepClearInside(scene.area, water));
   TILEMEND_RETURN_IF_ERROR(AddDecisions(spec.decisions(), scene, water, stop));
-  WarnOfUndoneDecisions(spec, water);
   water.options.profile = *WaterProfileNamed(spec.water_profile());
   for (std::string& warning : water.warnings) scene.warnings.push_back(std::move(warning));
   TILEMEND_ASSIGN_OR_RETURN(JobOnOutput job, OnOutput(spec, water, area_digest, scene));

@@ -32,17 +32,21 @@ std::string KeyInReport(const std::string& report) {
   return key.is_string() ? key.get<std::string>() : "";
 }
 
-size_t DecidedHolesIn(const std::string& report) {
+std::set<int32_t> DecidedHolesIn(const std::string& report) {
   using Event = Json::parse_event_t;
-  size_t decided = 0;
-  std::string member;  // of the report
+  std::set<int32_t> decided;
+  std::string member, field;  // of the report, and of a row
+  int32_t id = -1;
   const auto count = [&](int depth, Event event, const Json& value) {
+    const bool in_row = depth == 3 && member == "per_hole";
+    if (event == Event::value && in_row && field == "id" && value.is_number_integer()) id = value.get<int32_t>();
     if (event != Event::key) return depth == 0 || event == Event::object_start || event == Event::array_start;
     if (depth == 1) member = value.get<std::string>();
-    decided += depth == 3 && member == "per_hole" && value == "decision";
+    if (in_row) field = value.get<std::string>();
+    if (in_row && field == "decision") decided.insert(id);  // which follows the number
     return true;
   };
-  return Json::parse(report, count, false).is_object() ? decided : 0;
+  return Json::parse(report, count, false).is_object() ? decided : std::set<int32_t>();
 }
 
 std::optional<ReportedJob> JobInReport(const std::string& report) {

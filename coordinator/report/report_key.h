@@ -2,9 +2,10 @@
 #ifndef TILEMEND_COORDINATOR_REPORT_REPORT_KEY_H_
 #define TILEMEND_COORDINATOR_REPORT_REPORT_KEY_H_
 
-#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,9 @@ namespace tilemend {
 // The member `key` of a report.json; "" if it has none, or is no report. Keeps no list of it in memory. Linear.
 std::string KeyInReport(const std::string& report);
 
-// How many holes of a report.json have a reviewer's decision; 0 also if it is no report. As KeyInReport.
-size_t DecidedHolesIn(const std::string& report);
+// The numbers of the holes of a report.json that have a reviewer's decision; none also if it is no report. As
+// KeyInReport.
+std::set<int32_t> DecidedHolesIn(const std::string& report);
 
 // The job that a report.json is of: the members `scene`, `options` and `files`.
 struct ReportedJob {

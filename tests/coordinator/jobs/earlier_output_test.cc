@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <utility>
-#include <vector>
+#include <map>
+#include <string>
 
 #include "common/util/error_info.h"
 #include "tests/support/temporary_folder.h"
@@ -15,7 +15,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::SizeIs;
 
 class EarlierOutputTest : public ::testing::Test {
  protected:
@@ -58,25 +57,34 @@ TEST_F(EarlierOutputTest, WithoutDecisionsOrWithoutAReportNothingIsReplaced) {
   EXPECT_EQ(*MayReplace(spec_, OutputKey("scene")), false);
 }
 
-TEST_F(EarlierOutputTest, SaysHowManyDecisionsAFileWithFewerUndoes) {
-  const auto warnings = [&](std::vector<WaterArea> areas) {
-    WaterChoice water;
-    water.options.areas = std::move(areas);
-    WarnOfUndoneDecisions(spec_, water);
-    return water.warnings;
+// A hole and its decision count, not the polygons: one may be drawn over several holes.
+TEST_F(EarlierOutputTest, SaysOnWhichHolesDecisionsAreUndone) {
+  Scene scene;
+  scene.tiles = {{{0, 0}, "a.ply"}};
+  spec_.set_overwrite(true);
+  const auto job = [&] { return OnOutput(spec_, {}, "", scene).value(); };
+  const std::string key = job().key;
+  EXPECT_THAT(job().decided_before, IsEmpty());
+  const auto write = [&](const std::string& of_key) {
+    folder_.Write("out/report.json", R"({"per_hole": [{"id": 3, "decision": "open"}, {"id": 4, "decision": "water"},
+                                        {"id": 5}], "key": ")" +
+                                         of_key + "\"}");
   };
-  EXPECT_THAT(warnings({}), IsEmpty());
-  folder_.Write("out/report.json", R"({"per_hole": [{"decision": "open"}, {"decision": "water"}, {}]})");
-  EXPECT_THAT(warnings({}), ElementsAre("/marks.geojson: the decisions of the last run on 2 holes are undone"));
-  WaterArea polygon;
-  EXPECT_THAT(warnings({polygon}), SizeIs(1));
-  polygon.decision = ReviewDecision::kAccept;
-  EXPECT_THAT(warnings({polygon}),
-              ElementsAre("/marks.geojson: it has 1 decision, and the last run had some on 2 holes; those that are not "
-                          "in the file are undone"));
-  EXPECT_THAT(warnings({polygon, polygon}), IsEmpty());
+  write("other");
+  EXPECT_THAT(job().decided_before, IsEmpty());
+  write(key);
+  EXPECT_THAT(job().decided_before, ElementsAre(3, 4));
+  std::map<int32_t, int32_t> decisions = {{3, 0}, {4, 0}, {5, 0}};
+  EXPECT_EQ(UndoneDecisions(job(), decisions), "");
+  decisions.erase(4);
+  EXPECT_EQ(UndoneDecisions(job(), decisions),
+            "/marks.geojson: the decisions of the last run on 1 hole are undone, as the file has none on it: hole 4");
+  decisions.clear();
+  EXPECT_EQ(UndoneDecisions(job(), decisions),
+            "/marks.geojson: the decisions of the last run on 2 holes are undone, as the file has none on them: holes "
+            "3, 4");
   spec_.clear_decisions();
-  EXPECT_THAT(warnings({}), IsEmpty());
+  EXPECT_THAT(job().decided_before, IsEmpty());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <set>
 #include <string>
 #include <variant>
 
@@ -21,12 +22,13 @@ TEST(KeyInReportTest, IsEmptyWhereThereIsNone) {
   }
 }
 
-TEST(DecidedHolesInTest, CountsTheRowsWithADecision) {
+TEST(DecidedHolesInTest, AreTheRowsWithADecision) {
   EXPECT_EQ(DecidedHolesIn(R"({"decision": "open", "per_hole": [{"id": 0, "decision": "open"}, {"id": 1},
-                               {"water": {"decision": 1}, "decision": "water"}], "left": [{"decision": "open"}]})"),
-            2U);
+                               {"id": 7, "water": {"id": 1, "decision": 1}, "decision": "water"}],
+                               "left": [{"id": 2, "decision": "open"}]})"),
+            (std::set<int32_t>{0, 7}));
   for (const char* text : {"", "{", "[]", R"({"per_hole": [7]})", R"({"per_hole": [{"decision": "open"}])"}) {
-    EXPECT_EQ(DecidedHolesIn(text), 0U) << text;
+    EXPECT_TRUE(DecidedHolesIn(text).empty()) << text;
   }
 }
 
