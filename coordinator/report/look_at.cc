@@ -46,7 +46,16 @@ std::vector<Judged> JudgedOf(const SceneReportInput& input) {
   return judged;
 }
 
+// The answer to the decision by which a reviewer accepted the fill; null if there is none.
+const WaterAnswer* AcceptanceOf(const Plan& plan, const Judged& judged) {
+  const auto found = plan.decisions.find(judged.largest);
+  if (found == plan.decisions.end()) return nullptr;
+  const WaterAnswer& answer = plan.water_answers[found->second];
+  return answer.decision == ReviewDecision::kAccept ? &answer : nullptr;
+}
+
 std::string WhyLookAt(const Plan& plan, const HoleEvidence& evidence, const Judged& judged) {
+  if (const WaterAnswer* accepted = AcceptanceOf(plan, judged)) return accepted->doubt;
   std::vector<std::string> why;
   const bool is_flat = evidence.verdict != Verdict::kNoWater, is_decided = evidence.area >= 0;
   const bool is_large = judged.area >= kWaterProfiles[0].least_lake;

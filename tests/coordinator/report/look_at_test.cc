@@ -110,6 +110,20 @@ TEST_F(LookAtTest, NamesAllHolesWhoseAreasItSums) {
   EXPECT_EQ(rows[0]["area_m2"], 2553.2);
 }
 
+TEST_F(LookAtTest, LeavesOutWhatAReviewerAccepted) {
+  Add({Verdict::kNoWater, true, 1, 0.02, "the sides differ"}, 5000, 400);
+  Add({Verdict::kLake, true, 3.25, 0.3, "the sides agree"}, 5000, 20);
+  EXPECT_EQ(LookAtJson(input_).size(), 2U);
+  plan_.decisions = {{0, 0}, {1, 0}};
+  plan_.water_answers[0].decision = ReviewDecision::kAccept;
+  EXPECT_EQ(LookAtJson(input_), Json::array());
+  plan_.water_answers[0].decision = ReviewDecision::kWater;
+  EXPECT_EQ(LookAtJson(input_).size(), 2U) << "a decision that changed the fill";
+  plan_.water_answers[0].decision = ReviewDecision::kAccept;
+  plan_.water_answers[0].doubt = "it covers 40 % of the hole";
+  EXPECT_EQ(LookAtJson(input_)[0]["why"], "it covers 40 % of the hole");
+}
+
 TEST_F(LookAtTest, LeavesOutWhatTheUserDecidedAndWhatStaysOpen) {
   HoleEvidence given = {Verdict::kLake, true, 3.25, std::nullopt, "a polygon says so"};
   given.area = 0;
