@@ -89,11 +89,13 @@ absl::Status CheckVacant(const std::string& path, const std::string& key) {
   // A path that cannot be shows when it is made. A marker without a key is of a job that has not claimed the folder
   // yet.
   if (empty && (!marker.ok() || marker->empty())) return absl::OkStatus();
-  return absl::AlreadyExistsError(
-      absl::StrCat(path, ": exists already",
-                   marker.ok() ? ", an unfinished output of a job with another scene or other options" : "",
-                   "; choose another --out, give --overwrite to replace the files that the job writes, or --decisions "
-                   "FILE to do only the holes again that a reviewer decided on"));
+  // Files that no job wrote are nothing to decide on.
+  const bool has_output = names.ok() && std::ranges::find(*names, kReportFiles[0]) != names->end();
+  return absl::AlreadyExistsError(absl::StrCat(
+      path, ": exists already",
+      marker.ok() ? ", an unfinished output of a job with another scene or other options" : "",
+      "; choose another --out, ", has_output ? "" : "or ", "give --overwrite to replace the files that the job writes",
+      has_output ? ", or --decisions FILE to do only the holes again that a reviewer decided on" : ""));
 }
 
 // That `found` is in the way of what the job would make.

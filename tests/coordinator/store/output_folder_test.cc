@@ -104,7 +104,9 @@ TEST_F(OutputFolderTest, AFolderOfAJobThatWasKilledBeforeItsFirstTileIsThatJobs)
 
 TEST_F(OutputFolderTest, AFolderWithOtherFilesIsOverwrittenOnlyIfAsked) {
   folder_.Write("deep/out/notes.txt", "mine");
-  EXPECT_TRUE(absl::IsAlreadyExists(Claim(out_).status()));
+  const absl::Status refused = Claim(out_).status();
+  EXPECT_TRUE(absl::IsAlreadyExists(refused));
+  EXPECT_THAT(std::string(refused.message()), testing::Not(testing::HasSubstr("--decisions")));
   EXPECT_TRUE(Claim(out_, true).ok());
   EXPECT_TRUE(Exists("deep/out/notes.txt"));
 }
