@@ -191,19 +191,7 @@ absl::Status CheckKind(const std::string& name, WaterArea& area, WaterFile& file
   return absl::OkStatus();
 }
 
-// "decision on hole 4", "decision on holes 0, 2 and 3 more", "decision of feature 7".
-std::string DecisionLabel(const VectorFeature& feature) {
-  const std::vector<int64_t>& holes = feature.holes;
-  if (holes.empty()) return absl::StrCat("decision of ", feature.label);
-  const size_t shown = std::min(holes.size(), kMostHoles);
-  std::string label = absl::StrCat("decision on ", holes.size() == 1 ? "hole " : "holes ",
-                                   absl::StrJoin(holes.begin(), holes.begin() + static_cast<ptrdiff_t>(shown), ", "));
-  if (shown < holes.size()) absl::StrAppend(&label, " and ", holes.size() - shown, " more");
-  return label;
-}
-
-}  // namespace
-
+// What `clear` and the other properties of an area say together. Its water is level.
 absl::Status CheckClear(const std::string& name, WaterArea& area, std::vector<std::string>& warnings) {
   if (area.kind == WaterKind::kRiver) {
     return absl::InvalidArgumentError(absl::StrCat(
@@ -216,6 +204,19 @@ absl::Status CheckClear(const std::string& name, WaterArea& area, std::vector<st
                                   "level"));
   return absl::OkStatus();
 }
+
+// "decision on hole 4", "decision on holes 0, 2 and 3 more", "decision of feature 7".
+std::string DecisionLabel(const VectorFeature& feature) {
+  const std::vector<int64_t>& holes = feature.holes;
+  if (holes.empty()) return absl::StrCat("decision of ", feature.label);
+  const size_t shown = std::min(holes.size(), kMostHoles);
+  std::string label = absl::StrCat("decision on ", holes.size() == 1 ? "hole " : "holes ",
+                                   absl::StrJoin(holes.begin(), holes.begin() + static_cast<ptrdiff_t>(shown), ", "));
+  if (shown < holes.size()) absl::StrAppend(&label, " and ", holes.size() - shown, " more");
+  return label;
+}
+
+}  // namespace
 
 SceneFrame FrameOf(const Scene& scene) {
   SceneFrame frame{scene.crs, scene.origin};
@@ -252,11 +253,12 @@ WaterFile WithoutAreas(VectorFile& read, const std::string& name) {
 }
 
 absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
-                                         const std::stop_token& stop) {
+                                         const std::stop_token& stop, ClearChoice clear) {
   TILEMEND_ASSIGN_OR_RETURN(VectorFile read, Read(bytes, name, frame, VectorUse::kWater, stop));
   WaterFile file = WithoutAreas(read, name);
   for (VectorFeature& f : read.features) {
     if (f.polygon.empty()) continue;
+    f.clear = f.clear || clear == ClearChoice::kAll;
     file.areas.push_back({f.water, std::move(f.polygon), f.level, std::move(f.line), f.label, f.kind, f.clear,
                           f.clear_height.value_or(kClearHeight), f.level_sigma, f.is_as_found});
     WarnOfIdleClearHeight(name, f, file);

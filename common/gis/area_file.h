@@ -31,11 +31,14 @@ struct WaterFile {
   std::vector<std::string> warnings;
 };
 
+// Which polygons of a file have `clear`.
+enum class ClearChoice { kByProperty, kAll };
+
 // Reads a file of polygons in any of the formats of vector_file.h. A polygon is an area; its properties may be
 //   water         true (the default) or false
 //   level_m       a number, or text: "3.25 m"
 //   kind          "lake" or "river"
-//   clear         true or false
+//   clear         true or false; without effect with ClearChoice::kAll
 //   clear_height  metres, 0 to 1000; only for water with `clear`, else there is a warning
 //   centreline    a GeoJSON LineString or its coordinates, or WKT, in the coordinates of the file
 // A LineString that is a feature of its own is the centreline of the area of water that most of its points are in.
@@ -45,7 +48,8 @@ struct WaterFile {
 // kInvalidArgument with `name` and the place: what ReadVectors refuses, two centrelines for one area, a river with a
 // level or `clear`. Errors of AskGdal. Takes some 40 ms more than the reading.
 absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
-                                         const std::stop_token& stop = {});
+                                         const std::stop_token& stop = {},
+                                         ClearChoice clear = ClearChoice::kByProperty);
 
 // Reads what was decided on holes: polygons with the property `decision` ("accept", "water", "ground" or "open"). They
 // may have `level_m` (of water; absent: from its shore) and `hole` (for messages). Features without a decision are left
@@ -55,10 +59,6 @@ absl::StatusOr<WaterFile> ParseWaterFile(const VectorBytes& bytes, const std::st
 // for features of which none has a decision.
 absl::StatusOr<WaterFile> ParseDecisionFile(const VectorBytes& bytes, const std::string& name, const SceneFrame& frame,
                                             const std::stop_token& stop = {});
-
-// Checks `clear` against the other properties of an area that has it. Its water is level, so a centreline is dropped,
-// with a warning.
-absl::Status CheckClear(const std::string& name, WaterArea& area, std::vector<std::string>& warnings);
 
 struct AreaFile {
   PlanePolygon area;  // not empty

@@ -110,10 +110,8 @@ absl::Status AddClearFile(const std::string& value, const SceneFrame& frame, Wat
                           const std::stop_token& stop) {
   if (value.empty()) return absl::OkStatus();
   TILEMEND_ASSIGN_OR_RETURN(const VectorBytes bytes, ReadAreaFile(value));
-  TILEMEND_ASSIGN_OR_RETURN(WaterFile file, ParseWaterFile(bytes, value, frame, stop));
+  TILEMEND_ASSIGN_OR_RETURN(WaterFile file, ParseWaterFile(bytes, value, frame, stop, ClearChoice::kAll));
   for (WaterArea& area : file.areas) {
-    if (!area.clear) TILEMEND_RETURN_IF_ERROR(CheckClear(value, area, file.warnings));
-    area.clear = true;
     area.label += " of --clear";
     choice.options.areas.push_back(std::move(area));
   }

@@ -44,6 +44,10 @@ TEST(WaterChoiceTest, AllOfASecondFileIsCleared) {
   EXPECT_FALSE(choice.options.areas[0].clear);
   EXPECT_TRUE(choice.options.areas[1].clear);
   EXPECT_EQ(choice.clear_digest, Sha256Hex(plain));
+  const std::string high = R"({"type": "Feature", "properties": {"clear_height": 4}, )" + ring;
+  ASSERT_TRUE(AddClearFile(folder.Write("high.geojson", high), {}, choice).ok());
+  EXPECT_EQ(choice.options.areas[2].clear_height, 4);
+  EXPECT_THAT(choice.warnings, testing::IsEmpty()) << "the height has effect";
   const std::string river = R"({"type": "Feature", "properties": {"kind": "river"}, )" + ring;
   const absl::Status refused = AddClearFile(folder.Write("c.geojson", river), {}, choice);
   EXPECT_TRUE(absl::IsInvalidArgument(refused)) << refused;
