@@ -3,6 +3,7 @@
 #define TILEMEND_COORDINATOR_REPORT_JSON_ACCESS_H_
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -29,9 +30,14 @@ inline std::string Text(const nlohmann::ordered_json& value) {
 // 0 if it is no number.
 inline double Number(const nlohmann::ordered_json& value) { return value.is_number() ? value.get<double>() : 0; }
 
-// With so many decimals; as Text if it is no number.
+// With so many decimals; as Text if it is no number. As on the page halves are rounded away from 0, where the decimal
+// number is one, though the nearest binary number may be less: 1.8005 is 1.801.
 inline std::string Decimals(const nlohmann::ordered_json& value, int digits) {
-  return value.is_number() ? absl::StrFormat("%.*f", digits, value.get<double>()) : Text(value);
+  constexpr double kFewUlps = 4 * std::numeric_limits<double>::epsilon(), kMostExact = 1e15;
+  if (!value.is_number()) return Text(value);
+  const double number = value.get<double>(), scale = std::pow(10.0, digits), scaled = number * scale;
+  if (!(std::abs(scaled) < kMostExact)) return absl::StrFormat("%.*f", digits, number);
+  return absl::StrFormat("%.*f", digits, std::round(scaled * (1 + kFewUlps)) / scale);
 }
 
 // An area in square metres with so many decimals; "< 0.1" if it is smaller than the last one, and not 0. Those of loops

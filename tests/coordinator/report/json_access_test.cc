@@ -16,7 +16,17 @@ TEST(JsonAccessTest, WhatIsMissingOrOfAnotherTypeIsEmpty) {
   EXPECT_EQ(Text(Json{1, 2}), "[1,2]");
   EXPECT_EQ(Number(Json("x")), 0);
   EXPECT_EQ(Number(Json(2.5)), 2.5);
-  EXPECT_EQ(Decimals(Json(2.25), 1), "2.2");
+  EXPECT_EQ(Decimals(Json("x"), 1), "x");
+}
+
+TEST(JsonAccessTest, HalvesAreRoundedAsOnThePage) {
+  EXPECT_EQ(Decimals(Json(2.25), 1), "2.3");
+  EXPECT_EQ(Decimals(Json(-2.25), 1), "-2.3");
+  EXPECT_EQ(Decimals(Json(1.8005), 3), "1.801");
+  EXPECT_EQ(Decimals(Json(1.0005), 3), "1.001");
+  EXPECT_EQ(Decimals(Json(1.80049), 3), "1.800");
+  EXPECT_EQ(Decimals(Json(7), 2), "7.00");
+  EXPECT_EQ(Decimals(Json(1e300), 0).size(), 301U);
 }
 
 TEST(JsonAccessTest, AreasHaveOneFormHoweverSmallTheyAre) {
