@@ -7,6 +7,7 @@
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
+#include "common/store/digest.h"
 #include "common/util/text.h"
 
 namespace tilemend {
@@ -54,18 +55,20 @@ void SceneFiles::Take(CellId cell, const TileFiles& files, bool is_written) {
 
 void SceneFiles::Warn(CellId cell, const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) {
-    std::vector<std::string>& of_cell = warnings_[cell];
-    if (of_cell.size() >= kMostWarnings) {
-      ++more_warnings_;
-      continue;
-    }
-    of_cell.push_back(Printable(warning.substr(0, kMostFileWarningBytes)));
-    if (++kept_warnings_ <= kMostWarnings) continue;
+    std::string text = Printable(warning.substr(0, kMostFileWarningBytes));
+    // Several tasks may read one file.
+    const auto [known, is_new] = first_cells_.try_emplace(Sha256Hex(text), cell);
+    if (!is_new && !(cell < known->second)) continue;
+    if (!is_new) kept_warnings_ -= std::erase(warnings_[known->second], text);
+    known->second = cell;
+    warnings_[cell].push_back(std::move(text));
+    ++kept_warnings_;
+    std::erase_if(warnings_, [](const auto& of_cell) { return of_cell.second.empty(); });
+    if (kept_warnings_ <= kMostWarnings) continue;
     const auto last = std::prev(warnings_.end());
     last->second.pop_back();
     if (last->second.empty()) warnings_.erase(last);
     --kept_warnings_;
-    ++more_warnings_;
   }
 }
 
@@ -109,7 +112,7 @@ std::set<std::string> SceneFiles::Carried() const {
 
 std::vector<std::string> SceneFiles::Warnings() const {
   std::vector<std::string> warnings;
-  int64_t more = more_warnings_;
+  int64_t more = std::ssize(first_cells_) - static_cast<int64_t>(kept_warnings_);
   const auto add = [&](std::string warning) {
     if (warnings.size() < kMostWarnings) {
       warnings.push_back(std::move(warning));
@@ -125,7 +128,9 @@ std::vector<std::string> SceneFiles::Warnings() const {
   for (const auto& [cell, of_cell] : warnings_) {
     for (const std::string& warning : of_cell) add(warning);
   }
-  if (more > 0) warnings.push_back(absl::StrCat(more, " more warnings on material files, images and levels of detail"));
+  if (more > 0)
+    warnings.push_back(absl::StrCat(more, more == 1 ? " more warning" : " more warnings",
+                                    " on material files, images and levels of detail"));
   return warnings;
 }
 

@@ -24,7 +24,8 @@ std::string FolderInScene(const std::string& out, const std::string& root);
 // Every file is carried once, by the first of the tiles that name it. A material file that only one tile names is that
 // tile's own: it is where the materials of its filled faces are added. A tile without one gets a file for them.
 //
-// Paths are relative to the scene's folder and to the output's. Memory: the names of the files, each twice.
+// Paths are relative to the scene's folder and to the output's. Memory: the names of the files, each twice, and digests
+// of warnings.
 class SceneFiles {
  public:
   // `output`: the output's folder relative to the scene's, where it lies inside it; else empty. A file that would be
@@ -46,8 +47,8 @@ class SceneFiles {
   std::vector<std::string> CarriedBy(CellId cell) const;
   // All that are carried.
   std::set<std::string> Carried() const;
-  // In the order of the cells, each cut to kMostFileWarningBytes; those beyond the first kMostWarnings are counted in
-  // the last line.
+  // Each text once, by the first cell that has it, cut to kMostFileWarningBytes. Those beyond the first kMostWarnings
+  // are counted in the last line.
   std::vector<std::string> Warnings() const;
 
   static constexpr size_t kMostWarnings = 20;
@@ -65,9 +66,9 @@ class SceneFiles {
   std::map<CellId, std::set<std::string>> of_cells_;  // what each is the first to name
   std::set<CellId> with_images_;
   std::map<CellId, std::vector<std::string>> libraries_;
-  std::map<CellId, std::vector<std::string>> warnings_;  // of a cell the first kMostWarnings, of all as many or fewer
+  std::map<CellId, std::vector<std::string>> warnings_;  // the first kMostWarnings of all cells
   size_t kept_warnings_ = 0;
-  int64_t more_warnings_ = 0;
+  std::map<std::string, CellId> first_cells_;  // by the digest of each warning, also of those that are not kept
 };
 
 }  // namespace tilemend

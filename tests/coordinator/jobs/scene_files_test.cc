@@ -3,6 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+
 namespace tilemend {
 namespace {
 
@@ -63,25 +68,53 @@ TEST(SceneFilesTest, NoFileIsCarriedOverAnotherOfTheScene) {
   EXPECT_THAT(files.Warnings(), ElementsAre(HasSubstr("a.jpg: would be written over"), HasSubstr("a.mtl")));
 }
 
+std::vector<std::string> Numbered(size_t count, const std::string& text) {
+  std::vector<std::string> texts;
+  for (size_t i = 0; i < count; ++i) texts.push_back(absl::StrCat(text, i));
+  return texts;
+}
+
+// One damaged image is read by the tasks of several cells.
+TEST(SceneFilesTest, OneWarningOfSeveralCellsIsThatOfTheFirst) {
+  const std::vector<std::vector<CellId>> orders = {{kA, kB, kC}, {kC, kB, kA}, {kB, kC, kA, kB}};
+  for (const std::vector<CellId>& order : orders) {
+    SceneFiles files("");
+    files.Warn(kB, {"other"});
+    for (const CellId cell : order) files.Warn(cell, {"a.png: damaged"});
+    EXPECT_THAT(files.Warnings(), ElementsAre("a.png: damaged", "other"));
+  }
+}
+
+TEST(SceneFilesTest, AWarningThatWasLeftOutCountsOnce) {
+  SceneFiles files("");
+  files.Warn(kB, Numbered(SceneFiles::kMostWarnings, "b"));
+  files.Warn(kC, {"c"});
+  files.Warn(kC, {"c"});
+  EXPECT_THAT(files.Warnings().back(), HasSubstr("1 more warning on"));
+  files.Warn(kA, {"c"});
+  EXPECT_EQ(files.Warnings().front(), "c");
+  EXPECT_THAT(files.Warnings().back(), HasSubstr("1 more warning on"));
+}
+
 TEST(SceneFilesTest, WarningsComeByCellAndAreCountedBeyondALimit) {
   SceneFiles files("");
   files.Warn(kB, {"second"});
   files.Take(kA, {{}, {}, {"first"}});
   EXPECT_THAT(files.Warnings(), ElementsAre("first", "second"));
-  files.Warn(kC, std::vector<std::string>(SceneFiles::kMostWarnings, "more"));
+  files.Warn(kC, Numbered(SceneFiles::kMostWarnings, "more"));
   EXPECT_THAT(files.Warnings(), SizeIs(SceneFiles::kMostWarnings + 1));
   EXPECT_EQ(files.Warnings().back(), "2 more warnings on material files, images and levels of detail");
 }
 
 TEST(SceneFilesTest, KeepsNoMoreWarningsThanItShows) {
   SceneFiles files("");
-  files.Warn(kC, std::vector<std::string>(1000, std::string(100'000, 'x')));
+  files.Warn(kC, Numbered(1000, "x"));
   files.Warn(kA, {"\x1b[2J"});
-  files.Warn(kB, std::vector<std::string>(SceneFiles::kMostWarnings, "b"));
+  files.Warn(kB, Numbered(SceneFiles::kMostWarnings, "b"));
   const std::vector<std::string> warnings = files.Warnings();
   ASSERT_THAT(warnings, SizeIs(SceneFiles::kMostWarnings + 1));
   EXPECT_EQ(warnings[0], "\\x1b[2J");
-  EXPECT_EQ(warnings[SceneFiles::kMostWarnings - 1], "b") << "by cell, whatever came first";
+  EXPECT_EQ(warnings[SceneFiles::kMostWarnings - 1], "b18") << "by cell, whatever came first";
   EXPECT_EQ(warnings.back(), "1001 more warnings on material files, images and levels of detail");
   SceneFiles others("");
   others.Warn(kA, {std::string(100'000, 'x')});
