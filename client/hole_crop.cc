@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "absl/container/flat_hash_map.h"
@@ -17,6 +16,7 @@ namespace {
 constexpr double kMargin = 1.0 / 3;  // of the fill's width
 constexpr double kLeastMargin = 3, kMostMargin = 60;
 constexpr double kCoarser = 1.3;      // from one grid to the next
+constexpr double kMostOff = 0.5;      // of the hole's area: where folds were cut off its fill is smaller
 constexpr double kCentreSlack = 0.2;  // metres: the centre of a hole in a wall may lie beside its fill
 
 // On which sides of the box a point lies, a bit for each. Triangles whose corners share a bit lie outside it.
@@ -142,14 +142,14 @@ std::vector<AddedPiece> AddedPieces(const TriMesh& mesh, const std::vector<bool>
 
 Eigen::AlignedBox3d PieceAt(const std::vector<AddedPiece>& pieces, const Point2& centre, double area) {
   Eigen::AlignedBox3d best;
-  double least = std::numeric_limits<double>::infinity();
+  double least = kMostOff * area;
   for (const auto& [box, vector_area] : pieces) {
     const Point2 slack(kCentreSlack, kCentreSlack);
     const Point2 lo = box.min().head<2>() - slack, hi = box.max().head<2>() + slack;
     if ((centre.array() < lo.array()).any() || (centre.array() > hi.array()).any()) continue;
     // Not the area of the box: that of a bent fill is several times its own, so that a scrap would be nearer.
     const double off = std::min(std::abs(std::abs(vector_area.z()) - area), std::abs(vector_area.norm() - area));
-    if (off < least) {
+    if (off <= least) {
       least = off;
       best = box;
     }

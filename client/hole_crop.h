@@ -39,8 +39,9 @@ struct AddedPiece {
 // The pieces of added triangles of a tile. O(n log n).
 std::vector<AddedPiece> AddedPieces(const TriMesh& mesh, const std::vector<bool>& added);
 
-// The box of the piece that has `centre` in its box seen from above and whose area is nearest to `area`; an empty box
-// if none has. `area`: of the hole, from above or along its own normal. O(pieces).
+// The box of the piece that has `centre` in its box seen from above and whose area is nearest to `area`. An empty box
+// if there is none, or if its area differs by more than half of `area`: it is another fill. A fill that is exactly what
+// was cleared has no piece. `area`: of the hole, from above or along its own normal. O(pieces).
 Eigen::AlignedBox3d PieceAt(const std::vector<AddedPiece>& pieces, const Point2& centre, double area);
 
 // The triangles that meet the box of a fill grown by a third of its width, by 3 to 60 metres. Where they are more than

@@ -62,6 +62,16 @@ TEST(HoleCropTest, FindsABentFillBesideAScrap) {
   EXPECT_EQ(PieceAt(pieces, {8, 8}, 2).max(), Point3(9, 9, 12));
 }
 
+// A fill that is exactly a cleared triangle is none of the added ones.
+TEST(HoleCropTest, TakesNoOtherFillForOneThatHasNoPiece) {
+  const TriMesh mesh = SquaresMesh(0, 20, 0, 20, [](int32_t, int32_t) { return true; });
+  const auto pieces = AddedPieces(mesh, std::vector<bool>(mesh.triangles.size(), true));
+  ASSERT_THAT(pieces, SizeIs(1));
+  EXPECT_FALSE(PieceAt(pieces, {8, 8}, 390).isEmpty());
+  EXPECT_TRUE(PieceAt(pieces, {8, 8}, 12).isEmpty());
+  EXPECT_TRUE(PieceAt(pieces, {8, 8}, 900).isEmpty());
+}
+
 // A fill in a wall has no area from above.
 TEST(HoleCropTest, FindsAFillInAWallByItsOwnArea) {
   const TriMesh mesh{{{0, 0, 0}, {4, 0, 0}, {4, 0, 4}, {0, 0, 1}, {1, 0, 5}, {2, 0, 5}, {1, 0, 6}},
