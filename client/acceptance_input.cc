@@ -4,7 +4,9 @@
 #include "client/unfinished.h"
 #include "common/grid/cell_choice.h"
 #include "common/grid/delivery_paths.h"
+#include "common/grid/scene_place.h"
 #include "common/util/files.h"
+#include "common/util/real_path.h"
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
 #include "coordinator/report/area_choice.h"
@@ -27,6 +29,16 @@ void KeepFinest(std::vector<LevelCounts>& levels) {
   levels = {finest};
 }
 
+// That the output is of another scene, which may also be the same one under another path.
+void WarnOfOtherScene(const std::string& in, const std::string& report_path, const std::string& reported,
+                      std::vector<std::string>& warnings) {
+  if (reported.empty() || ScenePlaceOf(reported) == ScenePlaceOf(in)) return;
+  const auto id = IdOf(in);
+  if (id && id == IdOf(reported)) return;
+  warnings.push_back(absl::StrCat(report_path, ": the output was made from the scene ", reported,
+                                  ", and is compared with ", in, "; if that is another scene, give the first"));
+}
+
 }  // namespace
 
 absl::StatusOr<AcceptanceInput> ReadAcceptanceInput(const std::string& in, const std::string& out,
@@ -40,6 +52,7 @@ absl::StatusOr<AcceptanceInput> ReadAcceptanceInput(const std::string& in, const
   if (!input.report.is_object() || !input.report.contains("cells")) {
     return absl::InvalidArgumentError(absl::StrCat(report_path, ": not a report (expected an object with cells)"));
   }
+  WarnOfOtherScene(in, report_path, Text(Member(input.report, "scene")), warnings);
   TILEMEND_ASSIGN_OR_RETURN(input.scene, LoadScene(in, ReadTileHull, ReadTilesets));
   const Json& options = Member(input.report, "options");
   const absl::Status area = ApplyAreaChoice(Text(Member(options, "area")), input.scene).status();

@@ -22,8 +22,8 @@ struct AcceptanceInput {
   bool has_area = true;     // false: the area of the job could not be read
 };
 
-// Adds a warning if the area cannot be read. kNotFound and kInvalidArgument if `in` is no scene or `out` no complete
-// output. Linear in the report.
+// Adds a warning if the report names another scene, and one if the area cannot be read. kNotFound and kInvalidArgument
+// if `in` is no scene or `out` no complete output. Linear in the report.
 absl::StatusOr<AcceptanceInput> ReadAcceptanceInput(const std::string& in, const std::string& out,
                                                     std::vector<std::string>& warnings);
 

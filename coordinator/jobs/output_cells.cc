@@ -12,6 +12,7 @@
 #include "absl/strings/str_join.h"
 #include "absl/strings/str_split.h"
 #include "common/grid/cell_choice.h"
+#include "common/grid/scene_place.h"
 #include "common/options/job_options.h"
 #include "common/records/output_names.h"
 #include "common/util/error_info.h"
@@ -33,7 +34,7 @@ bool CountsByContent(const std::string& option) {
 }
 
 JobIdentity IdentityOf(const std::string& scene, const std::vector<ReportedOption>& options) {
-  JobIdentity identity = {{"scene", scene}};
+  JobIdentity identity = {{"scene", scene.empty() ? "" : ScenePlaceOf(scene)}};
   for (const ReportedOption& option : options) {
     if (CountsByContent(option.name)) continue;
     const auto* number = std::get_if<double>(&option.value);

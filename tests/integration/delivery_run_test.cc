@@ -252,6 +252,16 @@ TEST_F(DeliveryRunTest, ASecondRunFindsNothingToDo) {
   EXPECT_EQ(Tilemend({"check", folder_ / "out", folder_ / "again"}).code, 0);
 }
 
+TEST_F(DeliveryRunTest, ACheckSaysThatTheOutputIsOfAnotherScene) {
+  std::filesystem::create_directory_symlink(folder_ / "scene", folder_ / "link");
+  EXPECT_THAT(Tilemend({"check", folder_ / "link", folder_ / "out"}).err, testing::Not(HasSubstr("was made from")));
+  std::filesystem::copy(folder_ / "scene", folder_ / "moved", std::filesystem::copy_options::recursive);
+  const Ended moved = Tilemend({"check", folder_ / "moved", folder_ / "out"});
+  EXPECT_EQ(moved.code, 0) << moved.err;
+  EXPECT_THAT(moved.err, HasSubstr("out/report.json: the output was made from the scene " + (folder_ / "scene") +
+                                   ", and is compared with " + (folder_ / "moved") + ";"));
+}
+
 TEST_F(DeliveryRunTest, WhatIsNoOutputIsRefused) {
   EXPECT_EQ(Tilemend({"check", folder_ / "scene", folder_ / "nowhere"}).code, 3);
   EXPECT_EQ(Tilemend({"check", folder_ / "nowhere", folder_ / "out"}).code, 3);

@@ -153,6 +153,25 @@ TEST_F(OutputCellsTest, OtherOptionsAreNamed) {
   EXPECT_THAT(Refusal(Spec("1,0"), false), HasSubstr("differs in --water file;"));
 }
 
+TEST_F(OutputCellsTest, OneSceneMayHaveSeveralPaths) {
+  folder_.Write("city/scene.json", "{}");
+  std::filesystem::create_directory_symlink(folder_ / "city", folder_ / "link");
+  JobSpec spec = Spec("0,0");
+  spec.set_scene(folder_ / "city");
+  Complete(spec);
+  const std::string key = JobKey(IdentityOf(spec));
+  for (const char* path : {"city/scene.json", "link", "link/scene.json", "city/"}) {
+    spec = Spec("1,0");
+    spec.set_scene(folder_ / path);
+    ExpectAdds(spec, "0,0 1,0");
+    spec.set_cells("0,0");
+    EXPECT_EQ(JobKey(IdentityOf(spec)), key) << path;
+  }
+  folder_.Write("city/other.json", "{}");
+  spec.set_scene(folder_ / "city/other.json");
+  EXPECT_THAT(Refusal(spec), HasSubstr("differs in the scene"));
+}
+
 TEST_F(OutputCellsTest, AJobThatWasKilledGoesOnOrGetsCells) {
   Unfinished(Spec("0,0"));
   ExpectAlone(Spec("0,0"));
