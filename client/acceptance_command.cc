@@ -25,7 +25,7 @@ namespace {
 absl::Status CheckCsv(const std::string& path) {
   if (path.empty()) return absl::OkStatus();
   const auto text = ReadFileUpTo(path, int64_t{1} << 30);
-  absl::Status status = CheckOutputFile(path, text.ok() && text->starts_with(AcceptanceCsvHead()));
+  absl::Status status = CheckOutputFile(path, text.ok() && text->starts_with(AcceptanceCsvHead()), "--csv");
   if (!absl::IsAlreadyExists(status)) return status;
   return absl::AlreadyExistsError(
       absl::StrCat(Printable(path), ": exists already, and is no list of `tilemend check`; choose another --csv"));

@@ -180,20 +180,12 @@ absl::StatusOr<Inspection> InspectSceneOf(const Request& request, Scene scene) {
   return InspectScene(std::move(scene), options, display.Watcher());
 }
 
-absl::Status CheckIsNew(const std::string& path, bool overwrite) {
-  std::error_code error;
-  if (overwrite || path.empty()) return absl::OkStatus();
-  if (!std::filesystem::exists(std::filesystem::symlink_status(path, error))) return absl::OkStatus();
-  return absl::AlreadyExistsError(
-      absl::StrCat(path, ": exists already; choose another --propose-area, or give --overwrite"));
-}
-
 absl::Status WriteProposal(const Request& request, const SceneWaves& waves) {
   const std::string& path = request.propose_area;
   if (path.empty()) return absl::OkStatus();
   const PlanePolygon area = ProposeArea(waves.scene().grid, waves.survey().records());
   if (area.empty()) return absl::FailedPreconditionError(absl::StrCat(path, ": too little surface to propose an area"));
-  TILEMEND_RETURN_IF_ERROR(CheckIsNew(path, request.overwrite));
+  TILEMEND_RETURN_IF_ERROR(CheckOutputFile(path, request.overwrite, "--propose-area"));
   TILEMEND_RETURN_IF_ERROR(WriteFileAtomically(path, AreaGeoJson(area, waves.scene())));
   const std::string shown = Printable(path);
   std::fprintf(stderr, "%s: the outline of the surface; a guess: look at it, then: --area %s\n", shown.c_str(),
@@ -243,7 +235,8 @@ std::vector<std::string> InputsOf(const Request& request, const Scene& scene) {
   return files;
 }
 
-absl::Status CheckInputsStay(const Request& request, const Scene& scene) {
+// Files that are replaced are none that is read, and none that only a slip can name, as the scene.json of any scene.
+absl::Status CheckReplaced(const Request& request, const Scene& scene) {
   std::error_code error;
   const std::vector<std::string> inputs = InputsOf(request, scene);
   for (const std::string& output : OutputsOf(request)) {
@@ -253,6 +246,11 @@ absl::Status CheckInputsStay(const Request& request, const Scene& scene) {
       return absl::InvalidArgumentError(
           absl::StrCat(output, ": is read as input, so it is not replaced; choose another name for the output"));
     }
+    if (HoldsPolygons(output)) continue;
+    return absl::InvalidArgumentError(absl::StrCat(
+        output,
+        ": holds no polygons in GeoJSON or a GeoPackage, so it is not replaced; choose another name for the "
+        "output"));
   }
   return absl::OkStatus();
 }
@@ -279,8 +277,12 @@ absl::Status CheckOutputs(const Request& request) {
     return absl::InvalidArgumentError(
         absl::StrCat(request.holes, ": holes are written as GeoJSON; choose a name that ends in .geojson"));
   }
-  if (!request.holes.empty()) TILEMEND_RETURN_IF_ERROR(CheckOutputFile(request.holes, request.overwrite));
-  TILEMEND_RETURN_IF_ERROR(CheckIsNew(request.propose_area, request.overwrite));
+  if (!request.holes.empty()) {
+    TILEMEND_RETURN_IF_ERROR(CheckOutputFile(request.holes, request.overwrite, "--holes"));
+  }
+  if (!request.propose_area.empty()) {
+    TILEMEND_RETURN_IF_ERROR(CheckOutputFile(request.propose_area, request.overwrite, "--propose-area"));
+  }
   return request.propose_water.empty() ? absl::OkStatus()
                                        : CheckWaterProposal(request.propose_water, request.overwrite);
 }
@@ -289,7 +291,7 @@ int InspectSceneAt(const Request& request) {
   if (const absl::Status status = CheckOutputs(request); !status.ok()) return PrintError(status);
   auto scene = LoadScene(request.path, ReadTileHull, ReadTilesets);
   if (!scene.ok()) return PrintError(scene.status());
-  if (const absl::Status status = CheckInputsStay(request, *scene); !status.ok()) return PrintUsageError(status);
+  if (const absl::Status status = CheckReplaced(request, *scene); !status.ok()) return PrintUsageError(status);
   const auto inspection = InspectSceneOf(request, *std::move(scene));
   if (!inspection.ok()) return PrintError(inspection.status());
   const SceneWaves& waves = *inspection->waves;
@@ -325,7 +327,7 @@ int InspectMeshAt(const Request& request) {
   const auto file = ReadMeshFile(path);
   if (!file.ok()) return PrintError(file.status());
   Scene scene = SceneOfMesh(path);
-  if (const absl::Status status = CheckInputsStay(request, scene); !status.ok()) return PrintUsageError(status);
+  if (const absl::Status status = CheckReplaced(request, scene); !status.ok()) return PrintUsageError(status);
   const auto options = PlanOptionsOf(request, scene);
   if (!options.ok()) return PrintError(options.status());
   PrintWarnings(scene.warnings);

@@ -10,6 +10,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -17,9 +20,12 @@
 #include "client/progress_display.h"
 #include "common/util/error_info.h"
 #include "common/util/exit_codes.h"
+#include "common/util/files.h"
 #include "common/util/folders.h"
 #include "common/util/place.h"
 #include "common/util/status_macros.h"
+#include "coordinator/report/json_access.h"
+#include "coordinator/report/shallow_json.h"
 
 namespace tilemend {
 
@@ -42,23 +48,36 @@ absl::StatusOr<int> OpenLock(const std::string& file, const std::string& path) {
 
 }  // namespace
 
-absl::Status CheckOutputFile(const std::string& path, bool overwrite) {
+absl::Status CheckOutputFile(const std::string& path, bool overwrite, const std::string& flag) {
   std::error_code error;
   if (fs::symlink_status(path, error).type() == fs::file_type::not_found) return absl::OkStatus();
   const fs::file_type type = fs::status(path, error).type();
   if (type == fs::file_type::directory) {
-    return absl::InvalidArgumentError(absl::StrCat(path, ": the output is a folder; choose another --out"));
+    return absl::InvalidArgumentError(absl::StrCat(path, ": the output is a folder; choose another ", flag));
   }
   if (type == fs::file_type::not_found) {
-    return absl::InvalidArgumentError(absl::StrCat(path, ": is a link to nothing; remove it, or choose another --out"));
+    return absl::InvalidArgumentError(
+        absl::StrCat(path, ": is a link to nothing; remove it, or choose another ", flag));
   }
   if (type == fs::file_type::none || type == fs::file_type::unknown)
     return WriteErrnoStatus(error.value(), "cannot look at it", path);
   if (type != fs::file_type::regular) {
-    return absl::InvalidArgumentError(absl::StrCat(path, ": is there and is no file; choose another --out"));
+    return absl::InvalidArgumentError(absl::StrCat(path, ": is there and is no file; choose another ", flag));
   }
   if (overwrite) return absl::OkStatus();
-  return absl::AlreadyExistsError(absl::StrCat(path, ": exists already; choose another --out, or give --overwrite"));
+  return absl::AlreadyExistsError(
+      absl::StrCat(path, ": exists already; choose another ", flag, ", or give --overwrite"));
+}
+
+bool HoldsPolygons(const std::string& path) {
+  constexpr std::string_view kGeoPackage = "SQLite format 3";
+  constexpr std::string_view kTypes[] = {"FeatureCollection", "Feature", "Polygon", "MultiPolygon"};
+  const auto text = ReadFile(path);
+  if (!text.ok()) return false;
+  if (text->empty() || text->starts_with(kGeoPackage)) return true;
+  const auto only_members = [](int depth, const nlohmann::ordered_json&) { return depth == 0; };
+  const nlohmann::ordered_json json = ParseShallow(*text, {.keep = only_members});
+  return json.is_object() && std::ranges::find(kTypes, Text(Member(json, "type"))) != std::end(kTypes);
 }
 
 absl::Status WithOtherOut(const absl::Status& status) {

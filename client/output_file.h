@@ -12,9 +12,14 @@
 
 namespace tilemend {
 
-// Whether a command may write a file of that name. Returns kAlreadyExists if the file exists and `overwrite` is false.
-// Returns kInvalidArgument if something that is no file has the name: a folder, a pipe, a device, a link to nothing.
-absl::Status CheckOutputFile(const std::string& path, bool overwrite);
+// Whether a command may write a file of that name, which `flag` gave. Returns kAlreadyExists if the file exists and
+// `overwrite` is false. Returns kInvalidArgument if something that is no file has the name: a folder, a pipe, a device,
+// a link to nothing.
+absl::Status CheckOutputFile(const std::string& path, bool overwrite, const std::string& flag = "--out");
+
+// Whether a file holds polygons, as those do that `inspect` writes: GeoJSON or a GeoPackage. So does an empty file, of
+// which nothing is lost. Linear.
+bool HoldsPolygons(const std::string& path);
 
 // The same with what to do about it, where the place is what is wrong.
 absl::Status WithOtherOut(const absl::Status& status);

@@ -1,14 +1,13 @@
 #include "client/water_proposal.h"
 
-#include <filesystem>
 #include <limits>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "client/output_file.h"
 #include "common/gis/geo_package.h"
 #include "common/mesh/polygon_index.h"
 #include "common/util/files.h"
@@ -66,10 +65,7 @@ absl::Status CheckWaterProposal(const std::string& path, bool overwrite) {
     return absl::InvalidArgumentError(
         absl::StrCat(path, ": expected a name that ends in ", kPackage, " or ", kGeoJson));
   }
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::symlink_status(path, error);
-  if (overwrite || !std::filesystem::exists(status)) return absl::OkStatus();
-  return absl::AlreadyExistsError(absl::StrCat(path, ": exists already; --overwrite replaces it"));
+  return CheckOutputFile(path, overwrite, "--propose-water");
 }
 
 absl::StatusOr<Json> WriteWaterProposal(const std::string& path, bool overwrite, const SceneWaves& waves) {

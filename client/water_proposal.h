@@ -12,7 +12,7 @@
 namespace tilemend {
 
 // Whether a file can be written there. Returns kInvalidArgument for a name that ends neither in .gpkg nor in .geojson.
-// Returns kAlreadyExists for an existing file unless `overwrite`.
+// Else as CheckOutputFile (output_file.h).
 absl::Status CheckWaterProposal(const std::string& path, bool overwrite);
 
 // Writes polygons for --water: the waters that the plan fills, and surface that looks like water (water_surfaces.h).

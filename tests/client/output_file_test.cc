@@ -41,6 +41,23 @@ TEST_F(OutputFileTest, ReplacesAFileOnlyWhenTold) {
   folder_.Write("old.ply", "text");
   EXPECT_TRUE(absl::IsAlreadyExists(CheckOutputFile(Path("old.ply"), false)));
   EXPECT_TRUE(CheckOutputFile(Path("old.ply"), true).ok());
+  EXPECT_THAT(std::string(CheckOutputFile(Path("old.ply"), false).message()), HasSubstr("another --out, or"));
+  EXPECT_THAT(std::string(CheckOutputFile(Path("old.ply"), false, "--holes").message()),
+              HasSubstr("another --holes, or"));
+}
+
+TEST_F(OutputFileTest, TellsPolygonsFromOtherFiles) {
+  const std::string feature = R"({"type": "Feature", "geometry": null})";
+  for (const std::string& text :
+       {feature, R"({"name": "x", "features": [)" + feature + R"(], "type": "FeatureCollection"})",
+        std::string("SQLite format 3"), std::string()}) {
+    EXPECT_TRUE(HoldsPolygons(folder_.Write("polygons", text))) << text;
+  }
+  for (const std::string& text : {std::string(R"({"cell_size": 10, "area": {"type": "Polygon"}, "tiles": []})"),
+                                  std::string(R"({"type": "module"})"), std::string("ply\n"), std::string("[3")}) {
+    EXPECT_FALSE(HoldsPolygons(folder_.Write("other", text))) << text;
+  }
+  EXPECT_FALSE(HoldsPolygons(Path("nothing")));
 }
 
 TEST_F(OutputFileTest, NeverReplacesWhatIsNoFile) {

@@ -167,6 +167,16 @@ TEST_F(SceneRunTest, InspectReplacesNoFileThatItReads) {
   EXPECT_EQ(*ReadFile(water), drawn);
 }
 
+TEST_F(SceneRunTest, InspectReplacesNothingButPolygons) {
+  const std::string scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene");
+  const std::string other = WriteMade(SmallScene(Cut::kClipped), folder_ / "other"), json = other + "/scene.json";
+  const std::string before = *ReadFile(json);
+  const Ended refused = Tilemend({"inspect", scene, "--overwrite", "--holes", json});
+  EXPECT_EQ(refused.code, 2) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr(json + ": holds no polygons"));
+  EXPECT_EQ(*ReadFile(json), before);
+}
+
 TEST_F(SceneRunTest, InspectSaysThatItWroteAnAreaAndReplacesItIfAsked) {
   const std::string scene = WriteMade(SmallScene(Cut::kClipped), folder_ / "scene"), area = folder_ / "area.geojson";
   const Ended first = Tilemend({"inspect", scene, "--propose-area", area});
