@@ -28,6 +28,7 @@
 #include "common/util/utc.h"
 #include "coordinator/jobs/delivery_entry.h"
 #include "coordinator/jobs/earlier_output.h"
+#include "coordinator/jobs/end_message.h"
 #include "coordinator/jobs/output_cells.h"
 #include "coordinator/jobs/scene_folders.h"
 #include "coordinator/jobs/scene_options.h"
@@ -59,33 +60,6 @@ std::vector<std::string> FirstOf(std::vector<std::string> warnings) {
   warnings.resize(kMost);
   warnings.push_back(absl::StrCat("and ", more, " more; tilemend inspect prints all"));
   return warnings;
-}
-
-// For people. A dry run says what would be done.
-std::string MessageOf(const JobSpec& spec, const SceneReportInput& report, const TaskReuse& reuse, bool all_closed) {
-  const size_t all = report.plan->holes.size();
-  int64_t chosen = 0, stay_open = 0;
-  for (const PlannedHole& hole : report.plan->holes) {
-    if (!report.outcome.chosen.empty() && !report.outcome.chosen.contains(hole.cell)) continue;
-    ++chosen;
-    stay_open += hole.failure.empty() ? 0 : 1;
-  }
-  std::string message =
-      spec.dry_run() ? absl::StrCat(all, " holes found, nothing written: ", chosen - stay_open,
-                                    " to fill (filling may find some that stay open), ", stay_open,
-                                    stay_open == 1 ? " that stays open" : " that stay open")
-                     : absl::StrCat(report.outcome.sizes.size(), " of ", chosen, " holes filled", UncountedText(report),
-                                    all_closed ? "" : "; the report lists what is left open");
-  if (!spec.cells().empty()) {
-    absl::StrAppend(&message, "; ", chosen, " of ", all, " holes are in the ", report.outcome.chosen.size(), " of ",
-                    report.cells, " cells that were chosen");
-  }
-  if (reuse.taken_over() == 0) return message;
-  if (reuse.tiles_kept() > 0) {
-    absl::StrAppend(&message, "; ", reuse.tiles_kept(), " of ", reuse.tiles(), " tiles kept as they were");
-  }
-  return absl::StrCat(message, "; ", reuse.taken_over(), " of ", reuse.tasks(), " results taken over, ",
-                      reuse.without_worker(), " of them without a task for a worker");
 }
 
 // What is left undone without the result of a task. Precondition: it is none of the measuring or the survey.
@@ -383,9 +357,8 @@ class ScenePipeline : public JobPipeline {
   absl::StatusOr<JobOutcome> Finish() override {
     const SceneReportInput report = ReportOf(job_, waves_, steps_, tasks_, flow_.reuse());
     JobOutcome outcome;
-    const auto left = LeftOf(report);
     outcome.partial = IsPartial(report) && !job_.spec.dry_run();
-    outcome.message = MessageOf(job_.spec, report, flow_.reuse(), left.empty());
+    outcome.message = EndMessage(job_.spec, report, flow_.reuse().without_worker());
     if (job_.spec.dry_run()) outcome.warnings = FirstOf(WarningsOf(report));
     if (output_) {
       TILEMEND_RETURN_IF_ERROR(FinishOutput(report, waves_, tasks_.files().Carried(), end_, *output_, outcome));
