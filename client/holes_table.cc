@@ -129,7 +129,7 @@ std::string KindsText(const Json& report) {
   std::map<std::string, Tally> kinds;
   Tally all;
   for (const Json& hole : Member(report, "per_hole")) {
-    if (Member(hole, "reason") == kNotChosen) continue;
+    if (!IsInChosenCell(hole)) continue;
     Add(hole, kinds[KindOf(hole)]);
     Add(hole, all);
   }

@@ -1,12 +1,14 @@
 #include "client/page_data.h"
 
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "absl/strings/escaping.h"
 #include "absl/strings/str_cat.h"
 #include "client/csv.h"
+#include "common/grid/cell_choice.h"
 #include "coordinator/report/changed_options.h"
 #include "coordinator/report/json_access.h"
 #include "coordinator/report/left_open.h"
@@ -28,7 +30,15 @@ std::vector<const Json*> LooseRowsOf(const Json& report) {
   return rows;
 }
 
-// [column, row, holes filled, holes left, whether it has a tile, how many of those left count] of each cell.
+// The cells that the job was to write; empty: all, or not known without the scene.
+std::set<CellId> CellsOfJob(const Json& report, const Scene* scene) {
+  if (scene == nullptr) return {};
+  const auto chosen = ChooseCells(Text(Member(Member(report, "options"), "cells")), *scene);
+  return chosen.ok() ? *chosen : std::set<CellId>();
+}
+
+// [column, row, holes filled, holes left, whether it has a tile, how many of those left count] of each cell that was
+// chosen.
 Json CellsJson(const Json& report, const Scene* scene) {
   struct Counts {
     int64_t filled = 0, left = 0, counting = 0;
@@ -36,7 +46,11 @@ Json CellsJson(const Json& report, const Scene* scene) {
   };
   std::map<std::pair<int32_t, int32_t>, Counts> cells;  // by row, column
   if (scene != nullptr) {
-    for (const SceneTile& tile : scene->tiles) cells[{tile.cell.row, tile.cell.col}].has_tile = !tile.path.empty();
+    const std::set<CellId> chosen = CellsOfJob(report, scene);
+    for (const SceneTile& tile : scene->tiles) {
+      if (!chosen.empty() && !chosen.contains(tile.cell)) continue;
+      cells[{tile.cell.row, tile.cell.col}].has_tile = !tile.path.empty();
+    }
   }
   const auto count = [&](const Json& row, int64_t filled, int64_t left, bool counts_as_left) {
     const Json& cell = Member(row, "cell");
@@ -46,8 +60,8 @@ Json CellsJson(const Json& report, const Scene* scene) {
     counts.left += left;
     counts.counting += counts_as_left ? 1 : 0;
   };
-  for (const Json& hole : HoleRowsOf(report)) {
-    count(hole, IsLeftOpen(hole) ? 0 : 1, IsLeftOpen(hole) ? 1 : 0, CountsAsLeft(hole));
+  for (const Json* hole : ChosenHoles(report)) {
+    count(*hole, IsLeftOpen(*hole) ? 0 : 1, IsLeftOpen(*hole) ? 1 : 0, CountsAsLeft(*hole));
   }
   for (const Json* row : LooseRowsOf(report)) count(*row, 0, 1, true);
   Json rows = Json::array();
@@ -57,17 +71,27 @@ Json CellsJson(const Json& report, const Scene* scene) {
   return rows;
 }
 
+// "1 of 4 cells was chosen"; "" if all were.
+std::string ChosenText(const Json& report, const Scene* scene) {
+  const size_t chosen = CellsOfJob(report, scene).size();
+  if (chosen == 0 || chosen == scene->tiles.size()) return "";
+  return absl::StrCat(chosen, " of ", scene->tiles.size(), " cells ", chosen == 1 ? "was" : "were", " chosen");
+}
+
 // Of the holes in the cells that were chosen. `counting`: those left open that make the output partial.
-Json VerdictJson(const Json& report) {
+Json VerdictJson(const Json& report, const Scene* scene) {
   const auto loose = static_cast<int64_t>(LooseRowsOf(report).size());
   int64_t filled = 0, left = loose, counting = loose;
-  for (const Json& hole : HoleRowsOf(report)) {
-    if (Text(Member(hole, "reason")) == kNotChosen) continue;
-    filled += IsLeftOpen(hole) ? 0 : 1;
-    left += IsLeftOpen(hole) ? 1 : 0;
-    counting += CountsAsLeft(hole) ? 1 : 0;
+  for (const Json* hole : ChosenHoles(report)) {
+    filled += IsLeftOpen(*hole) ? 0 : 1;
+    left += IsLeftOpen(*hole) ? 1 : 0;
+    counting += CountsAsLeft(*hole) ? 1 : 0;
   }
-  return {{"filled", filled}, {"left", left}, {"counting", counting}, {"uncounted", UncountedText(report)}};
+  return {{"filled", filled},
+          {"left", left},
+          {"counting", counting},
+          {"uncounted", UncountedText(report)},
+          {"chosen", ChosenText(report, scene)}};
 }
 
 Json PicturesJson(const PagePictures& pictures) {
@@ -90,12 +114,12 @@ Json PageData(const Json& report, const Scene* scene, const PagePictures& pictur
     data[name] = Member(report, name);
   }
   data["cells"] = CellsJson(report, scene);
-  data["verdict"] = VerdictJson(report);
+  data["verdict"] = VerdictJson(report, scene);
   data["grid"] = scene == nullptr ? Json()
                                   : Json{{"crs", scene->crs},
                                          {"cell_size", {scene->grid.cell_size.x(), scene->grid.cell_size.y()}},
                                          {"corner", {scene->grid.corner.x(), scene->grid.corner.y()}}};
-  data["hole_count"] = HoleRowsOf(report).size();
+  data["hole_count"] = ChosenHoles(report).size();
   data["per_hole"] = PageHoles(report, kMostListedHoles);
   data["pictures"] = PicturesJson(pictures);
   data["picture_problems"] = pictures.problems;

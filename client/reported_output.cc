@@ -72,7 +72,8 @@ LevelCounts LevelCountsOf(const Json& row) {
 void AddLeftHole(const Json& hole, ReportedOutput& reported) {
   const auto cell = CellOf(hole);
   const auto centre = PlaneOf(Member(hole, "centre"));
-  if (!cell || !centre || Member(hole, "outcome") != "left") return;
+  const Json& outcome = Member(hole, "outcome");
+  if (!cell || !centre || (outcome != "left" && outcome != "not chosen")) return;
   const Json& place = Member(hole, "centre");
   const double height = Number(place.size() > 2 ? place[2] : Member(hole, "rim_height_m"));
   reported.left.push_back({.cell = *cell,

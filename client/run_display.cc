@@ -37,7 +37,7 @@ std::string FilledText(const Json& report) {
   size_t holes = 0, filled = 0;
   double area = 0;
   for (const Json& hole : Member(report, "per_hole")) {
-    if (Member(hole, "reason") == kNotChosen) continue;
+    if (!IsInChosenCell(hole)) continue;
     ++holes;
     if (Text(Member(hole, "outcome")) != "filled") continue;
     ++filled;

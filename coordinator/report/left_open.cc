@@ -61,12 +61,19 @@ enum class RowKind { kNotLeft, kTiny, kDecided, kCounts };
 RowKind KindOfRow(const nlohmann::ordered_json& hole) {
   const std::string reason = Text(Member(hole, "reason"));
   const nlohmann::ordered_json& area = Member(hole, "area_m2");
-  if (Text(Member(hole, "outcome")) != "left" || reason == kNotChosen) return RowKind::kNotLeft;
+  if (Text(Member(hole, "outcome")) != "left" || !IsInChosenCell(hole)) return RowKind::kNotLeft;
   if (reason == kLeftByDecision) return RowKind::kDecided;
   return area.is_number() && std::abs(Number(area)) < kTinyHole ? RowKind::kTiny : RowKind::kCounts;
 }
 
 }  // namespace
+
+bool IsInChosenCell(const nlohmann::ordered_json& hole) { return Text(Member(hole, "reason")) != kNotChosen; }
+
+const char* OutcomeOf(const std::string& failure) {
+  if (failure.empty()) return "filled";
+  return failure == kNotChosen ? "not chosen" : "left";
+}
 
 std::string UncountedText(const SceneReportInput& input) {
   LeftCounts counts;

@@ -15,6 +15,12 @@ namespace tilemend {
 // FailureOf a hole in a cell that was not chosen.
 inline constexpr char kNotChosen[] = "in a cell that was not chosen";
 
+// Whether a row of per_hole in report.json is of a cell that was chosen.
+bool IsInChosenCell(const nlohmann::ordered_json& hole);
+
+// What became of a hole, by its FailureOf: "filled", "left", or "not chosen" if it is in a cell that was not chosen.
+const char* OutcomeOf(const std::string& failure);
+
 // Of the plan, then of its outcome, in the cells that were chosen.
 std::vector<LeftOpen> LeftOf(const SceneReportInput& input);
 

@@ -69,6 +69,14 @@ const Json& HoleRowsOf(const Json& report) {
   return rows.is_array() ? rows : kNone;
 }
 
+std::vector<const Json*> ChosenHoles(const Json& report) {
+  std::vector<const Json*> holes;
+  for (const Json& hole : HoleRowsOf(report)) {
+    if (IsInChosenCell(hole)) holes.push_back(&hole);
+  }
+  return holes;
+}
+
 bool IsLeftOpen(const Json& hole) { return Member(hole, "outcome") != "filled"; }
 
 std::string HoleReasonOf(const Json& hole) {
@@ -82,8 +90,7 @@ int64_t ClusterOf(const Json& hole) {
 }
 
 std::vector<const Json*> ListedHoles(const Json& report, size_t most) {
-  std::vector<const Json*> holes;
-  for (const Json& hole : HoleRowsOf(report)) holes.push_back(&hole);
+  std::vector<const Json*> holes = ChosenHoles(report);
   std::stable_sort(holes.begin(), holes.end(), [](const Json* a, const Json* b) {
     if (IsLeftOpen(*a) != IsLeftOpen(*b)) return IsLeftOpen(*a);
     const double doubt_a = Number(Member(*a, "doubt_m3")), doubt_b = Number(Member(*b, "doubt_m3"));

@@ -17,7 +17,10 @@ inline constexpr size_t kMostListedHoles = 20000;
 // per_hole of the report; an empty list if it has none.
 const nlohmann::ordered_json& HoleRowsOf(const nlohmann::ordered_json& report);
 
-// Whether a row of per_hole is of a hole that was left open.
+// Those of them in cells that were chosen.
+std::vector<const nlohmann::ordered_json*> ChosenHoles(const nlohmann::ordered_json& report);
+
+// Whether a row of ChosenHoles is of a hole that was left open.
 bool IsLeftOpen(const nlohmann::ordered_json& hole);
 
 // Why a hole is as it is: why it was left, or why it was taken for water.
@@ -26,7 +29,7 @@ std::string HoleReasonOf(const nlohmann::ordered_json& hole);
 // The cluster of a row of per_hole: filled holes of one are decided on together. -1: of none.
 int64_t ClusterOf(const nlohmann::ordered_json& hole);
 
-// Rows of per_hole: those that were left first, then those of the most doubt, then the largest. If there are more than
+// Of ChosenHoles those that were left first, then those of the most doubt, then the largest. If there are more than
 // `most`, the rest is left out, but a filled hole comes with all filled holes of its cluster: the list may be longer by
 // those of the last. Cost: O(n log n).
 std::vector<const nlohmann::ordered_json*> ListedHoles(const nlohmann::ordered_json& report, size_t most);

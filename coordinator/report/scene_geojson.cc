@@ -191,7 +191,7 @@ Json HoleProperties(const SceneReportInput& input, const Scene& scene, int32_t h
               {"layer", nullptr},
               {"area_m2", IsAreaKnown(hole) ? Json(Millimetres(hole.area)) : Json()},
               {"perimeter_m", Millimetres(hole.perimeter)},
-              {"outcome", failure.empty() ? "filled" : "left"},
+              {"outcome", OutcomeOf(failure)},
               {"reason", failure.empty() ? Json() : Json(failure)},
               {"method", nullptr},
               {"water", nullptr},

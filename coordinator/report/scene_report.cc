@@ -92,7 +92,7 @@ Json HoleRow(const SceneReportInput& input, int32_t h, const std::vector<Reviewe
   if (hole.evidence >= 0) row["water"] = HoleEvidenceJson(input.plan->evidence[hole.evidence]);
   if (hole.evidence >= 0) row["doubt_m3"] = Rounded(groups[hole.evidence].doubt * hole.area, 3);
   if (const char* decision = DecisionOn(*input.plan, h)) row["decision"] = decision;
-  row["outcome"] = failure.empty() ? "filled" : "left";
+  row["outcome"] = OutcomeOf(failure);
   if (!failure.empty()) row["reason"] = failure;
   if (!failure.empty() && input.plan->upright && !hole.segments.empty()) {
     row["rim_height_m"] = Rounded(RimHeight(*input.plan, hole), kMillimetres);

@@ -189,7 +189,7 @@ std::shared_ptr<const std::string> TextOf(const Json& json) {
 LoadedValues<std::string>::Result LoadHoles(const std::string& name, const JobSpec& spec, const std::stop_token& stop) {
   TILEMEND_ASSIGN_OR_RETURN(const Json report, ReadReport(name, spec, stop));
   const Json& warnings = Member(report, "warnings");
-  return TextOf({{"holeCount", HoleRowsOf(report).size()},
+  return TextOf({{"holeCount", ChosenHoles(report).size()},
                  {"holes", PageHoles(report, kMostListedHoles)},
                  {"planned", false},
                  {"date", Member(report, "date")},  // tells a report from the one before, even with the same holes

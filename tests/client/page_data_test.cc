@@ -39,7 +39,7 @@ TEST(PageDataTest, LeftHolesComeFirstAndCellsAreCounted) {
 TEST(PageDataTest, TheVerdictIsThatOfTheExitCode) {
   Json report = Report();
   EXPECT_EQ(PageData(report, nullptr, {})["verdict"],
-            Json::parse(R"({"filled": 1, "left": 2, "counting": 2, "uncounted": ""})"));
+            Json::parse(R"({"filled": 1, "left": 2, "counting": 2, "uncounted": "", "chosen": ""})"));
   report["left"].erase(1);
   report["per_hole"][1]["area_m2"] = 0;
   const Json tiny = PageData(report, nullptr, {});
@@ -47,8 +47,26 @@ TEST(PageDataTest, TheVerdictIsThatOfTheExitCode) {
   EXPECT_EQ(tiny["verdict"]["counting"], 0);
   EXPECT_THAT(tiny["verdict"]["uncounted"].get<std::string>(), HasSubstr("is smaller than 0.05 m2"));
   EXPECT_EQ(tiny["cells"][1], Json::parse("[1, 0, 0, 1, 1, 0]"));
+}
+
+TEST(PageDataTest, HolesOfCellsThatWereNotChosenAreNeitherFilledNorLeft) {
+  Json report = Report();
+  report["options"]["cells"] = "0,0";
+  report["left"] = Json::array();
+  report["per_hole"][1]["outcome"] = "not chosen";
   report["per_hole"][1]["reason"] = "in a cell that was not chosen";
-  EXPECT_EQ(PageData(report, nullptr, {})["verdict"]["left"], 0);
+  Scene scene;
+  scene.tiles = {{{0, 0}, "a.obj"}, {{1, 0}, "b.obj"}, {{2, 0}, "c.obj"}};
+  const Json data = PageData(report, &scene, {});
+  EXPECT_EQ(
+      data["verdict"],
+      Json::parse(R"({"filled": 1, "left": 0, "counting": 0, "uncounted": "", "chosen": "1 of 3 cells was chosen"})"));
+  EXPECT_EQ(data["cells"], Json::parse("[[0, 0, 1, 0, 1, 0]]"));
+  EXPECT_EQ(data["hole_count"], 1);
+  EXPECT_THAT(data["per_hole"], SizeIs(1));
+  EXPECT_EQ(PageData(report, nullptr, {})["verdict"]["chosen"], "");
+  EXPECT_THAT(HolesCsv(report), HasSubstr(",12,not chosen,"));
+  EXPECT_THAT(ReadReported(report).left, SizeIs(1)) << "its boundary stays as it is";
 }
 
 TEST(PageDataTest, CellsOfTheSceneWithoutAHoleAreThere) {

@@ -99,8 +99,8 @@ export interface Picture {
 export type Cell = [number, number, number, number, number, number];
 
 // Of the holes in the cells that were chosen: `counting` of those left make the output partial, `uncounted` says why the
-// others do not.
-export interface Verdict { filled: number; left: number; counting: number; uncounted: string }
+// others do not, `chosen` how many cells were, if not all.
+export interface Verdict { filled: number; left: number; counting: number; uncounted: string; chosen: string }
 
 // What `tilemend check` found, if it was asked to say so on the page: of each fault the first places.
 export interface FaultPlace { cell?: [number, number]; at?: [number, number, number]; hole?: number; note?: string }

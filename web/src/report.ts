@@ -21,7 +21,7 @@ function verdict(report: Report): HTMLElement {
   const text = left > 0 ? `${counted(filled, 'hole')} filled, ${number(left)} left open`
     : filled > 0 ? `All ${counted(filled, 'hole')} filled` : 'No hole was found';
   const uncounted = report.verdict.uncounted.replace(/^; /, '').replaceAll('m2', 'm\u00b2');
-  const next = [left > 0 ? 'The holes that were left have their reasons in the table.' : '', uncounted ? `${uncounted}.` : '',
+  const next = [report.verdict.chosen ? `${report.verdict.chosen}.` : '', left > 0 ? 'The holes that were left have their reasons in the table.' : '', uncounted ? `${uncounted}.` : '',
     toDecide > 0 ? `${counted(toDecide, 'fill')} to decide on.` : '', looks > 0 ? `${counted(looks, 'place')} to look at.` : ''].filter(Boolean).join(' ');
   return el('div', { class: counting > 0 ? 'verdict open' : 'verdict' }, el('strong', {}, text), ...(next ? [el('span', {}, next)] : []));
 }

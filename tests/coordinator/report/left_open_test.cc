@@ -36,6 +36,9 @@ TEST_F(LeftOpenTest, HolesThatFailCountWhereTheirCellIsChosen) {
   EXPECT_TRUE(SomeHolesLeft(input_));
   input_.outcome.chosen = {CellId{0, 0}};
   EXPECT_EQ(FailureOf(input_, 1), "in a cell that was not chosen");
+  EXPECT_STREQ(OutcomeOf(FailureOf(input_, 1)), "not chosen");
+  EXPECT_STREQ(OutcomeOf(FailureOf(input_, 0)), "filled");
+  EXPECT_STREQ(OutcomeOf("a reason"), "left");
   EXPECT_FALSE(SomeHolesLeft(input_));
 }
 
@@ -55,7 +58,8 @@ TEST_F(LeftOpenTest, AReportTellsWhatDoesNotCount) {
       {"area_m2": 0.01, "outcome": "left", "reason": "a reason"}, {"area_m2": -0.02, "outcome": "left"},
       {"area_m2": 0.01, "outcome": "filled"}, {"area_m2": null, "outcome": "left"}, {"area_m2": 9, "outcome": "left"},
       {"area_m2": 0.01, "outcome": "left", "reason": "left open by decision"},
-      {"area_m2": 0.01, "outcome": "left", "reason": "in a cell that was not chosen"}]})");
+      {"area_m2": 0.01, "outcome": "left", "reason": "in a cell that was not chosen"},
+      {"area_m2": 0.01, "outcome": "not chosen", "reason": "in a cell that was not chosen"}]})");
   EXPECT_EQ(UncountedText(report),
             "; 5 left open, 2 of them smaller than 0.05 m2 and 1 by decision, which do not count");
   EXPECT_EQ(UncountedText(nlohmann::ordered_json()), "");
