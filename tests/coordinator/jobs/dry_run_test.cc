@@ -62,7 +62,7 @@ TEST_F(DryRunTest, ADryRunSaysWhatStaysOpenAndWarns) {
 TEST_F(DryRunTest, ADryRunSaysWhichHolesAreChosen) {
   spec_.set_scene(WriteMade(SmallScene(Cut::kClipped), folder_ / "scene"));
   spec_.set_cells("1,1");
-  EXPECT_THAT(Run()->message, HasSubstr("holes are in the 1 of 12 cells that was chosen"));
+  EXPECT_THAT(Run()->message, HasSubstr("1 of 8 holes is in the 1 of 12 cells that was chosen"));
 }
 
 TEST_F(DryRunTest, ALevelFarFromAllSurfaceIsRefused) {
