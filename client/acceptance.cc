@@ -92,7 +92,7 @@ class AcceptanceCheck {
       : input_(std::move(input)),
         reported_(ReportedOf(input_)),
         rim_(input_.scene, reported_.overlap),
-        left_(reported_.left),
+        left_(input_.scene.grid, reported_.left),
         lost_(reported_.filled_rims),
         numbers_(reported_),
         levels_(reported_.levels),

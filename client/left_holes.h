@@ -14,11 +14,12 @@ namespace tilemend {
 class LeftHoles {
  public:
   // O(n log n) in the points of the boundaries.
-  explicit LeftHoles(std::span<const ReportedOutput::Left> left);
+  LeftHoles(const Grid& grid, std::span<const ReportedOutput::Left> left);
 
   // Whether an edge at p may be open because a hole was left: p lies at its boundary, or, where that is not known,
-  // around it. Also if p is on a side of the hole's cell, beyond which the hole goes on and was filled: `beside` has
-  // the cells whose sides p is on. O(log n + boundaries near p).
+  // around it. Also if p lies where the hole goes on beyond its cell and was filled. That is at the sides that the
+  // hole reaches, and on sides near its boundary: `beside` has the cells whose sides p is on. O(log n + boundaries near
+  // p).
   bool AreAt(const Point2& p, std::span<const CellId> beside) const;
 
  private:
@@ -27,11 +28,14 @@ class LeftHoles {
     Point2 a, b;
     double reach;  // metres around it
   };
-  // The box of a hole that goes on beyond its cell.
+  // The box of a hole that goes on beyond its cell, or of a part of its cell's sides that it reaches.
   struct Beyond {
     CellId cell;
     Eigen::AlignedBox2d box;
+    bool is_side;
   };
+
+  void AddSides(const Grid& grid, const ReportedOutput::Left& hole);
 
   std::vector<Part> parts_;
   std::vector<Beyond> beyond_;
