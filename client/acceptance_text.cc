@@ -16,8 +16,9 @@ using Json = nlohmann::ordered_json;
 constexpr size_t kShownPlaces = 3;  // of one kind, on a terminal
 constexpr char kChapter[] = "user guide, \"If an output is not accepted\" (docs/user-guide.md)";
 constexpr char kOtherCount[] =
-    "`crossings` in the report may be lower: it does not count crossings with fills made later, or with original "
-    "triangles that pass through the hole's boundary (`rim_crossed`)";
+    "`crossings` in the report is another count, made when the hole was filled: without crossings with later fills, "
+    "and\n"
+    "with some that only go on from the input's. `rim_crossed` says that surface passes through the hole's boundary.";
 constexpr char kOverlapPlaces[] =
     "fills that overlap were measured where one ends: up or down from its edge to the other.\n"
     "The report has another figure: it measures along the whole border, where both tiles have a fill.";
@@ -33,7 +34,7 @@ std::string PlaceText(const AcceptancePlace& place) {
 
 bool HasCrossings(const Acceptance& acceptance) {
   return std::ranges::any_of(acceptance.findings, [](const AcceptanceFinding& f) {
-    return f.count > 0 && (f.name == "crossed_fills" || f.name == "crossed_surface");
+    return f.count > 0 && (f.name == "crossed_fills" || f.name == "crossed_surface" || f.name == "crossed_rims");
   });
 }
 

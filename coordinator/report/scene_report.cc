@@ -360,7 +360,7 @@ std::optional<std::string> WarningOfHoles(std::vector<int32_t> holes, const char
                       all > holes.size() ? " and others (" : " (", field, ")");
 }
 
-// What `tilemend check` will find fault with.
+// What `tilemend check` may find fault with.
 void AddCrossingWarnings(const SceneOutcome& outcome, std::vector<std::string>& warnings) {
   std::vector<int32_t> by_rim, others;
   for (const auto& [hole, size] : outcome.sizes) {
@@ -371,8 +371,11 @@ void AddCrossingWarnings(const SceneOutcome& outcome, std::vector<std::string>& 
        {WarningOfHoles(std::move(by_rim), " patch crosses the surface, which passes through the boundary there",
                        " patches cross the surface, which passes through the boundary there", "rim_crossed"),
         WarningOfHoles(
-            std::move(others), " patch crosses itself or the surface beside it; `tilemend check` lists where",
-            " patches cross themselves or the surface beside them; `tilemend check` lists where", "crossings")}) {
+            std::move(others),
+            " patch crosses itself or the surface beside it; `tilemend check` lists where, as faults or crossed_rims",
+            " patches cross themselves or the surface beside them; `tilemend check` lists where, as faults or "
+            "crossed_rims",
+            "crossings")}) {
     if (warning) warnings.push_back(*warning);
   }
 }

@@ -256,8 +256,8 @@ TEST_F(SceneReportTest, WarnsOfPatchesThatCrossWhatPassesThroughTheirBoundary) {
   input_.outcome.sizes[0].rim_is_crossed = false;
   input_.outcome.sizes[0].crossings = 3;
   EXPECT_THAT(WarningsOf(input_),
-              ElementsAre("1 patch crosses itself or the surface beside it; `tilemend check` lists where: hole 0 "
-                          "(crossings)"));
+              ElementsAre("1 patch crosses itself or the surface beside it; `tilemend check` lists where, as faults or "
+                          "crossed_rims: hole 0 (crossings)"));
   EXPECT_EQ(Report()["per_hole"][0]["crossings"], 3);
 }
 
