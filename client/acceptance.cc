@@ -22,6 +22,7 @@
 #include "client/original_rims.h"
 #include "client/output_tiles.h"
 #include "client/tile_placement.h"
+#include "client/report_agreement.h"
 #include "client/water_seams.h"
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
@@ -355,6 +356,7 @@ class AcceptanceCheck {
     for (const std::string& path : tiles.others) Add(kOtherMesh, {}, std::nullopt, path);
     for (const ReportedOutput::Left& left : reported_.left)
       Add(kLeftHole, left.cell, left.at, left.reason, left.hole >= 0 ? std::optional(left.hole) : std::nullopt);
+    for (const std::string& note : ReportContradictions(input_.report)) Add(kReport, {}, std::nullopt, note);
   }
 
   const AcceptanceInput input_;

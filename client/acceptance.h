@@ -58,7 +58,8 @@ struct Acceptance {
 //   a coarser level of detail without new faces in a tile with fills, where the report says of the level that more were
 //   added than it has; a level of cleared tiles that lacks more faces than the report says;
 //   water off its level;
-//   fills of overlapping tiles that are more than 2 cm apart at more than 1 % of the places of a border.
+//   fills of overlapping tiles that are more than 2 cm apart at more than 1 % of the places of a border;
+//   a report that contradicts itself (client/report_agreement.h).
 //
 // Tiles are read one after another; memory is bounded by three rows of border edges and one tile. Cost O(n log n).
 // kNotFound and kInvalidArgument if `in` is no scene or `out` no complete output, or a tile of one cannot be read.

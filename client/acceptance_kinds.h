@@ -27,6 +27,7 @@ enum AcceptanceKind {
   kFillsApart,
   kLeftHole,
   kCrossedRim,
+  kReport,
   kOtherMesh,
   kAcceptanceKindCount
 };
@@ -70,6 +71,7 @@ inline constexpr std::array<AcceptanceKindText, kAcceptanceKindCount> kAcceptanc
      "filled triangles at rims that the input's surface passes through", false, true},
     {"other_meshes", "other mesh among the tiles", "other meshes among the tiles", false, false},
 }};
+    {"report", "contradiction in report.json", "contradictions in report.json", true, false},
 
 }  // namespace tilemend
 
