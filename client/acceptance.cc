@@ -16,6 +16,7 @@
 #include "client/compared_tile.h"
 #include "client/fill_area.h"
 #include "client/fill_owners.h"
+#include "client/fill_textures.h"
 #include "client/hole_numbers.h"
 #include "client/left_holes.h"
 #include "client/lost_fills.h"
@@ -159,12 +160,12 @@ class AcceptanceCheck {
     CheckArea(tile.cell, after.faces.mesh, change.added);
     CheckWater(tile.cell, after.faces.mesh, change.added);
     CheckLevels(tile.cell, before, after, change);
-    CheckNames(tile, pair);
+    CheckNames(tile, pair, change.added);
   }
 
   // The material files and images. Fills add one at most; in a converted tile any number, one for each of their
   // colours.
-  void CheckNames(const SceneTile& tile, const ComparedTile& pair) {
+  void CheckNames(const SceneTile& tile, const ComparedTile& pair, const std::vector<bool>& added) {
     const CheckedTile &before = pair.before, &after = *pair.after;
     const std::string output = OutputPath(tile);
     const bool is_same = NamesTheSame(before, after, tile.delivered.empty() ? 1 : after.named.size());
@@ -175,6 +176,9 @@ class AcceptanceCheck {
     for (const std::string& name : NewMissingNames(before, after)) {
       if (IsBeside(pair, FileBesideTile(output, name))) continue;  // it was compared
       Add(kMissingFile, tile.cell, std::nullopt, absl::StrCat(name, " of ", output));
+    }
+    for (const std::string& fault : FillTextureFaults(input_.out, output, pair, added)) {
+      Add(kFillTexture, tile.cell, std::nullopt, fault);
     }
   }
 

@@ -49,6 +49,8 @@ struct Acceptance {
 //   an original face that its tile does not have to the bit, unless the report says that it was cleared;
 //   a changed image or material file, a material that is defined again, other names of them in a tile, and files that
 //   fills name and that are not there;
+//   a fill whose material is not defined, whose image cannot be read, or whose texture coordinates are off the image
+//   (client/fill_textures.h);
 //   a file that says where tiles lie and is missing or says another thing (client/tile_placement.h);
 //   self-intersections, edges with more than two triangles, turned edges and triangles without area, with added faces;
 //   an open edge, over all tiles together, that the input does not have (exceptions: on the rim of the area, at holes

@@ -30,6 +30,16 @@ absl::StatusOr<CheckedTile> ReadTree(const std::string& pack, const std::string&
   return tile;
 }
 
+std::vector<bool> OffImage(const ObjTextures& textures) {
+  const auto is_off = [&](int32_t corner) {
+    const auto is_inside = [](float x) { return x >= 0 && x <= 1; };  // false if it is no number
+    return corner >= 0 && !std::ranges::all_of(textures.coordinates[corner], is_inside);
+  };
+  std::vector<bool> off;
+  for (const Triangle& corners : textures.corners) off.push_back(std::ranges::any_of(corners, is_off));
+  return off;
+}
+
 absl::StatusOr<CheckedTile> ParseObjTile(const std::string& bytes, const std::string& name, ObjTextures& textures) {
   CheckedTile tile;
   TILEMEND_ASSIGN_OR_RETURN(ObjFile obj, ParseTexturedObj(bytes, name, NoFaces::kAccept));
@@ -37,6 +47,7 @@ absl::StatusOr<CheckedTile> ParseObjTile(const std::string& bytes, const std::st
   textures = std::move(obj.textures);
   tile.faces.looks = ObjFaceLooks(textures, tile.faces.mesh.triangles);
   tile.named = textures.libraries;
+  tile.off_image = OffImage(textures);
   return tile;
 }
 
@@ -93,6 +104,10 @@ absl::StatusOr<CheckedTile> ReadCheckedTile(const std::string& root, const std::
     ObjTextures textures;
     TILEMEND_ASSIGN_OR_RETURN(tile, ParseObjTile(bytes, name, textures));
     TILEMEND_ASSIGN_OR_RETURN(TileLook look, ReadObjLook(root, path, textures));
+    for (const ObjTextures::Run& run : textures.runs) {
+      const std::string& material = textures.materials[run.material];
+      if (!look.materials.contains(material)) tile.undefined.insert(material);
+    }
     TakeLook(std::move(look), tile);
     return tile;
   }

@@ -208,6 +208,10 @@ TEST_F(DeliveryRunTest, ImagesOfFillsMustBeThere) {
   WriteImageScene(folder_);
   ASSERT_EQ(Tilemend({"run", folder_ / "scene", "--out", folder_ / "out"}).code, 0);
   Check(0);
+  const std::string image = Read("out/T0_tilemend.jpg");
+  folder_.Write("out/T0_tilemend.jpg", "");
+  EXPECT_EQ(Count(Check(100), "fill_textures"), 1) << "it cannot be read";
+  folder_.Write("out/T0_tilemend.jpg", image);
   ASSERT_TRUE(std::filesystem::remove(folder_ / "out/T0_tilemend.jpg"));
   EXPECT_EQ(Count(Check(100), "missing_files"), 1);
 }
