@@ -22,8 +22,8 @@
 #include "client/lost_fills.h"
 #include "client/original_rims.h"
 #include "client/output_tiles.h"
-#include "client/tile_placement.h"
 #include "client/report_agreement.h"
+#include "client/tile_placement.h"
 #include "client/water_seams.h"
 #include "common/util/status_macros.h"
 #include "common/util/tile_files.h"
@@ -232,6 +232,9 @@ class AcceptanceCheck {
       for (const AddedFaultPlace& p : places->second)
         Add(kind, cell, p.at, owners.CrossedText(p), owners.Of(p.triangle));
     }
+    for (const int32_t folded : owners.FoldedTriangles(reported_.height_fields)) {
+      Add(kFoldedFill, cell, MiddleOf(after, folded), "", owners.Of(folded));
+    }
     for (OpenEdge& e : found.open) e.hole = owners.Of(e.triangle).value_or(-1);
     edges_.Add(t, cell.row, found.open);
     originals_.Add(cell.row, found.open);
@@ -353,6 +356,7 @@ class AcceptanceCheck {
   }
 
   void AddReported() {
+    for (const std::string& note : ReportContradictions(input_.report)) Add(kReport, {}, std::nullopt, note);
     const OutputTiles tiles = LookForTiles(input_.out, input_.report, input_.scene, input_.chosen);
     std::map<std::string, CellId> cells;
     for (const SceneTile& tile : input_.scene.tiles) cells[OutputPath(tile)] = tile.cell;
@@ -360,7 +364,6 @@ class AcceptanceCheck {
     for (const std::string& path : tiles.others) Add(kOtherMesh, {}, std::nullopt, path);
     for (const ReportedOutput::Left& left : reported_.left)
       Add(kLeftHole, left.cell, left.at, left.reason, left.hole >= 0 ? std::optional(left.hole) : std::nullopt);
-    for (const std::string& note : ReportContradictions(input_.report)) Add(kReport, {}, std::nullopt, note);
   }
 
   const AcceptanceInput input_;

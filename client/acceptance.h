@@ -56,6 +56,7 @@ struct Acceptance {
 //   an open edge, over all tiles together, that the input does not have (exceptions: on the rim of the area, at holes
 //   that the report lists as left, and where tiles overlap and the neighbour covers it);
 //   the open edges around a hole that was filled, by the report, and has no fill;
+//   a filled triangle that faces down, where the report says that its hole was filled over the ground;
 //   fills of a tile that are larger or smaller than the holes in the report;
 //   a coarser level of detail without new faces in a tile with fills, where the report says of the level that more were
 //   added than it has; a level of cleared tiles that lacks more faces than the report says;

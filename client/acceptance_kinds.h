@@ -21,14 +21,15 @@ enum AcceptanceKind {
   kNonManifoldEdge,
   kTurnedEdge,
   kFlatTriangle,
+  kFoldedFill,
   kFillArea,
   kUnfilledLevel,
   kWaterOffLevel,
   kWaterWithoutFill,
   kFillsApart,
+  kReport,
   kLeftHole,
   kCrossedRim,
-  kReport,
   kOtherMesh,
   kAcceptanceKindCount
 };
@@ -47,8 +48,8 @@ inline constexpr std::array<AcceptanceKindText, kAcceptanceKindCount> kAcceptanc
      true, false},
     {"missing_files", "missing material file or image", "missing material files and images", true, false},
     {"changed_files", "changed material file or image", "changed material files and images", true, false},
-    {"placement", "changed or missing file that says where tiles lie",
     {"fill_textures", "broken texture of fills", "broken textures of fills", true, false},
+    {"placement", "changed or missing file that says where tiles lie",
      "changed or missing files that say where tiles lie", true, false},
     {"open_edges", "new open edge", "new open edges", true, true},
     {"crossed_fills", "filled triangle that crosses another", "filled triangles that cross each other", true, true},
@@ -59,6 +60,8 @@ inline constexpr std::array<AcceptanceKindText, kAcceptanceKindCount> kAcceptanc
     {"turned_edges", "new edge whose triangles face opposite ways", "new edges whose triangles face opposite ways",
      true, true},
     {"flat_triangles", "filled triangle without area", "filled triangles without area", true, true},
+    {"folded_fills", "filled triangle over the ground that faces down",
+     "filled triangles over the ground that face down", true, true},
     {"fill_areas", "tile whose fills are larger or smaller than its holes",
      "tiles whose fills are larger or smaller than their holes", true, false},
     {"unfilled_levels", "level of detail of tiles that was not filled",
@@ -68,12 +71,12 @@ inline constexpr std::array<AcceptanceKindText, kAcceptanceKindCount> kAcceptanc
     {"water_without_fill", "water without a fill", "waters without a fill", true, true},
     {"fills_apart", "place where fills of two tiles are more than 2 cm apart",
      "places where fills of two tiles are more than 2 cm apart", true, true},
+    {"report", "contradiction in report.json", "contradictions in report.json", true, false},
     {"left_holes", "hole left open, as reported", "holes left open, as reported", false, false},
     {"crossed_rims", "filled triangle at a rim that the input's surface passes through",
      "filled triangles at rims that the input's surface passes through", false, true},
     {"other_meshes", "other mesh among the tiles", "other meshes among the tiles", false, false},
 }};
-    {"report", "contradiction in report.json", "contradictions in report.json", true, false},
 
 }  // namespace tilemend
 

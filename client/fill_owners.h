@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,10 +25,17 @@ class FillOwners {
   // call takes O(n log n), and the first for each fill what OfRim takes.
   std::optional<int64_t> Of(int32_t triangle);
 
+  // The added triangles that face down (FacesDown), in fills that have one height at each place: all holes whose
+  // boundaries are at the rim are in `height_fields`, and there are some. O(triangles), and AllOfRim for each such
+  // fill.
+  std::vector<int32_t> FoldedTriangles(const std::set<int64_t>& height_fields);
+
   // "crosses the fill of hole 14", of holes other than that of the place's triangle; empty if it crosses none of them.
   std::string CrossedText(const AddedFaultPlace& place);
 
  private:
+  const TileFills& Fills();
+
   const HoleNumbers& numbers_;
   const CellId cell_;
   const TriMesh& after_;

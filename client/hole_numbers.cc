@@ -89,12 +89,12 @@ std::optional<int64_t> HoleNumbers::At(CellId cell, const Point3& p) const {
   return best;
 }
 
-std::optional<int64_t> HoleNumbers::OfRim(CellId cell, std::vector<std::pair<Point3, Point3>> rim) const {
+std::vector<HoleNumbers::RimTally> HoleNumbers::TallyRim(CellId cell,
+                                                         std::vector<std::pair<Point3, Point3>> rim) const {
   const auto in_cell = holes_.find(ToString(cell));
-  if (in_cell == holes_.end()) return std::nullopt;
+  if (in_cell == holes_.end()) return {};
   const RimEdges edges(std::move(rim));
-  std::optional<int64_t> best;
-  std::pair<int64_t, int64_t> best_key = {0, 0};  // edges; less the segments of the boundary
+  std::vector<RimTally> tallies;
   for (const auto& [number, hole] : in_cell->second) {
     std::vector<bool> marked(edges.size(), false);
     int64_t segments = 0;
@@ -102,12 +102,29 @@ std::optional<int64_t> HoleNumbers::OfRim(CellId cell, std::vector<std::pair<Poi
       segments += std::ssize(line) - 1;
       for (size_t k = 1; k < line.size(); ++k) edges.Mark(line[k - 1], line[k], hole.heights, marked);
     }
-    const std::pair<int64_t, int64_t> key(std::ranges::count(marked, true), -segments);
+    tallies.push_back({number, std::ranges::count(marked, true), segments});
+  }
+  return tallies;
+}
+
+std::optional<int64_t> HoleNumbers::OfRim(CellId cell, std::vector<std::pair<Point3, Point3>> rim) const {
+  std::optional<int64_t> best;
+  std::pair<int64_t, int64_t> best_key = {0, 0};  // edges; less the segments of the boundary
+  for (const RimTally& tally : TallyRim(cell, std::move(rim))) {
+    const std::pair<int64_t, int64_t> key(tally.edges, -tally.segments);
     if (key.first == 0 || (best_key.first > 0 && key < best_key)) continue;
-    best = key == best_key ? std::nullopt : std::optional(number);
+    best = key == best_key ? std::nullopt : std::optional(tally.hole);
     best_key = key;
   }
   return best;
+}
+
+std::vector<int64_t> HoleNumbers::AllOfRim(CellId cell, std::vector<std::pair<Point3, Point3>> rim) const {
+  std::vector<int64_t> holes;
+  for (const RimTally& tally : TallyRim(cell, std::move(rim))) {
+    if (tally.edges > 0) holes.push_back(tally.hole);
+  }
+  return holes;
 }
 
 }  // namespace tilemend

@@ -36,12 +36,22 @@ class HoleNumbers {
   // if no boundary has any, or two holes are equal in both. O((points of the cell's boundaries + edges) log edges).
   std::optional<int64_t> OfRim(CellId cell, std::vector<std::pair<Point3, Point3>> rim) const;
 
+  // The numbers of all holes of this cell whose boundary has any of these edges, rising. Cost as of OfRim.
+  std::vector<int64_t> AllOfRim(CellId cell, std::vector<std::pair<Point3, Point3>> rim) const;
+
  private:
   struct Hole {
     std::optional<ReportedOutput::HeightRange> heights = {};
     PlanePolygon around = {};                     // empty: the boundary is not closed
     std::vector<std::vector<Point2>> lines = {};  // the boundary
   };
+
+  struct RimTally {
+    int64_t hole = 0;
+    int64_t edges = 0, segments = 0;  // of the fill's rim that are of the boundary; of the boundary
+  };
+  // Of each hole of the cell, by number.
+  std::vector<RimTally> TallyRim(CellId cell, std::vector<std::pair<Point3, Point3>> rim) const;
 
   std::map<std::string, std::map<int64_t, Hole>> holes_;  // by the text of their cell, by number
 };

@@ -30,6 +30,14 @@ std::vector<Json> RowsOf(const Json& rows) {
   return rows.is_array() ? std::vector<Json>(rows.begin(), rows.end()) : std::vector<Json>();
 }
 
+double OverlapOf(const Json& borders) {
+  double overlap = Number(Member(borders, "pieces_m"));
+  for (const Json& border : RowsOf(Member(borders, "inexact"))) {
+    for (const Json& margin : RowsOf(Member(border, "margins_m"))) overlap = std::max(overlap, Number(margin));
+  }
+  return overlap;
+}
+
 void AddWater(const Json& hole, ReportedOutput& reported) {
   const auto cell = CellOf(hole);
   const auto centre = PlaneOf(Member(hole, "centre"));
@@ -62,6 +70,15 @@ void AddFilledHeights(const Json& hole, ReportedOutput& reported) {
   if (heights.empty()) return;
   const auto [lowest, highest] = std::ranges::minmax(heights);
   reported.filled_heights[static_cast<int64_t>(Number(Member(hole, "id")))] = {lowest, highest};
+}
+
+// Where tiles overlap, fills of open holes have walls at the outlines of the tiles, which may face down.
+void AddHeightField(const Json& hole, ReportedOutput& reported) {
+  const std::string method = Text(Member(hole, "method"));
+  const bool is_over_ground = method == "over the ground" || method == "water" || method == "level ground";
+  const bool has_walls = reported.overlap > 0 && Member(hole, "kind") != "closed";
+  if (!is_over_ground || has_walls || Member(hole, "outcome") != "filled" || Member(hole, "folds_cut") == true) return;
+  reported.height_fields.insert(static_cast<int64_t>(Number(Member(hole, "id"))));
 }
 
 LevelCounts LevelCountsOf(const Json& row) {
@@ -102,10 +119,12 @@ void AddRings(const Json& coordinates, const Point2& origin, int depth, std::vec
 
 ReportedOutput ReadReported(const Json& report) {
   ReportedOutput reported;
+  reported.overlap = OverlapOf(Member(report, "borders"));
   for (const Json& hole : RowsOf(Member(report, "per_hole"))) {
     AddWater(hole, reported);
     AddFilledArea(hole, reported);
     AddFilledHeights(hole, reported);
+    AddHeightField(hole, reported);
     AddLeftHole(hole, reported);
   }
   for (const Json& row : RowsOf(Member(report, "left"))) {
@@ -123,12 +142,6 @@ ReportedOutput ReadReported(const Json& report) {
       reported.cleared[*cell] += static_cast<int64_t>(Number(Member(row, "triangles")));
   }
   for (const Json& row : RowsOf(Member(report, "levels"))) reported.levels.push_back(LevelCountsOf(row));
-  for (const Json& border : RowsOf(Member(Member(report, "borders"), "inexact"))) {
-    for (const Json& margin : RowsOf(Member(border, "margins_m"))) {
-      reported.overlap = std::max(reported.overlap, Number(margin));
-    }
-  }
-  reported.overlap = std::max(reported.overlap, Number(Member(Member(report, "borders"), "pieces_m")));
   reported.has_textures = Text(Member(Member(report, "options"), "textures")) != "off";
   return reported;
 }

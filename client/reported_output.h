@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,7 @@ struct ReportedOutput {
   std::vector<std::vector<Point2>> filled_rims;   // boundaries of holes that were filled, from above
   std::vector<RimOwner> filled_rim_owners;        // by boundary
   std::map<int64_t, HeightRange> filled_heights;  // of these holes, by number; none of those without known heights
+  std::set<int64_t> height_fields;                // of these holes, those whose fill has one height at each place
   std::map<CellId, std::vector<Water>> water;
   std::map<CellId, int64_t> cleared;  // triangles taken out
   std::map<CellId, double> filled;    // m2 of its holes that were filled

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "absl/strings/str_cat.h"
+#include "common/mesh/faces_down.h"
+#include "common/mesh/triangle_shape.h"
 #include "common/mesh/vertex_lists.h"
 #include "common/records/moved_outline.h"
 
@@ -145,10 +147,7 @@ absl::Status CheckPoints(const CellHoles& asked, const CellHole& hole, const Hol
   return absl::OkStatus();
 }
 
-// Shares of its longest edge squared: where heights lie over the ground, no triangle faces down by more. Walls at the
-// outlines of overlapping tiles are upright and may.
-constexpr double kLeastDown = 0.01;
-
+// Walls at the outlines of overlapping tiles may face down.
 bool IsOverGround(const CellHole& hole, const HolePatch& patch) {
   return !hole.own_outline && (patch.way == FillWay::kGround || patch.way == FillWay::kWater);
 }
@@ -157,10 +156,8 @@ absl::Status CheckTriangles(const CellHoles& asked, const CellHole& hole, const 
   for (const Triangle& t : patch.triangles) {
     std::array<Point3, 3> p;
     for (int k = 0; k < 3; ++k) p[k] = t[k] >= 0 ? asked.vertices[t[k]].position : patch.new_points[-1 - t[k]];
-    const Point3 a = p[1] - p[0], b = p[2] - p[0], normal = a.cross(b);
-    if (normal.isZero(0)) return Wrong(hole.id, "a triangle without area");
-    const double longest = std::max({a.squaredNorm(), b.squaredNorm(), (p[2] - p[1]).squaredNorm()});
-    if (IsOverGround(hole, patch) && normal.z() < -kLeastDown * longest) {
+    if (TwiceVectorArea(p[0], p[1], p[2]).isZero(0)) return Wrong(hole.id, "a triangle without area");
+    if (IsOverGround(hole, patch) && FacesDown(p[0], p[1], p[2])) {
       return Wrong(hole.id, "a triangle that faces down");
     }
   }

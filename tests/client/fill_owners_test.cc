@@ -1,5 +1,6 @@
 #include "client/fill_owners.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -7,6 +8,8 @@
 namespace tilemend {
 namespace {
 
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 using Json = nlohmann::ordered_json;
 
 Json Feature(int hole, const Json& ring) {
@@ -55,6 +58,43 @@ TEST_F(FillOwnersTest, NoneForAnOriginalTriangleOrAnUnknownBoundary) {
   FillOwners elsewhere(numbers_, {1, 0}, mesh_, added_);
   EXPECT_EQ(elsewhere.Of(1), std::nullopt);
   EXPECT_EQ(elsewhere.CrossedText({{11, 9.5, 5}, 1, {5}}), "");
+}
+
+// The vertex in the middle of the fill is moved beyond its rim: one of its triangles faces down.
+TEST_F(FillOwnersTest, ATriangleOfAHeightFieldThatFacesDownIsFolded) {
+  FillOwners sound(numbers_, {0, 0}, mesh_, added_);
+  EXPECT_THAT(sound.FoldedTriangles({0}), IsEmpty());
+  mesh_.points[4].y() = -5;
+  FillOwners owners(numbers_, {0, 0}, mesh_, added_);
+  EXPECT_THAT(owners.FoldedTriangles({0, 16}), ElementsAre(1));
+  EXPECT_THAT(owners.FoldedTriangles({16}), IsEmpty()) << "its hole may be filled in any way";
+  std::vector<bool> original(mesh_.triangles.size(), false);
+  EXPECT_THAT(FillOwners(numbers_, {0, 0}, mesh_, original).FoldedTriangles({0}), IsEmpty());
+}
+
+// Hole 16 has an edge of the same rim, as fills of two holes may be connected.
+TEST_F(FillOwnersTest, AFillOfSeveralHolesIsAHeightFieldIfAllAre) {
+  mesh_.points[4].y() = -5;
+  mesh_.triangles[5] = {1, 0, 5};
+  const HoleNumbers numbers =
+      NumbersOfHoles({Feature(0, {{0, 0}, {20, 0}, {20, 20}, {0, 20}, {0, 0}}), Feature(16, {{0, 0}, {8, 9}, {20, 0}})},
+                     Json::array());
+  FillOwners owners(numbers, {0, 0}, mesh_, added_);
+  EXPECT_THAT(owners.FoldedTriangles({0}), IsEmpty());
+  EXPECT_THAT(owners.FoldedTriangles({0, 16}), testing::Contains(1));
+}
+
+TEST(ReportedOutputTest, HeightFieldsAreFillsOverTheGroundWithoutFoldsAndWalls) {
+  Json report = {{"per_hole",
+                  {{{"id", 0}, {"outcome", "filled"}, {"kind", "I"}, {"method", "over the ground"}},
+                   {{"id", 1}, {"outcome", "filled"}, {"kind", "I"}, {"method", "over the ground, folds cut off"}},
+                   {{"id", 2}, {"outcome", "filled"}, {"kind", "closed"}, {"method", "water"}},
+                   {{"id", 3}, {"outcome", "filled"}, {"kind", "I"}, {"method", "water"}, {"folds_cut", true}},
+                   {{"id", 4}, {"outcome", "left"}, {"kind", "I"}},
+                   {{"id", 5}, {"outcome", "filled"}, {"kind", "closed"}, {"method", "unrolled"}}}}};
+  EXPECT_THAT(ReadReported(report).height_fields, ElementsAre(0, 2));
+  report["borders"] = {{"inexact", {{{"margins_m", {0.1, 0.1}}}}}};
+  EXPECT_THAT(ReadReported(report).height_fields, ElementsAre(2)) << "open holes have walls where tiles overlap";
 }
 
 TEST_F(FillOwnersTest, NamesTheOtherHoleOfACrossing) {
