@@ -25,8 +25,8 @@ class FillOwners {
   // call takes O(n log n), and the first for each fill what OfRim takes.
   std::optional<int64_t> Of(int32_t triangle);
 
-  // The added triangles that face down (FacesDown), in fills that have one height at each place: all holes whose
-  // boundaries are at the rim are in `height_fields`, and there are some. O(triangles), and AllOfRim for each such
+  // The added triangles that face down (FacesDown) in fills that have one height at each place. All holes with an edge
+  // of the rim of such a fill are in `height_fields`, and there are some. O(triangles), and AllOfRim for each such
   // fill.
   std::vector<int32_t> FoldedTriangles(const std::set<int64_t>& height_fields);
 

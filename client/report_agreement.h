@@ -8,9 +8,9 @@
 
 namespace tilemend {
 
-// What contradicts itself in a report.json, each as a line: filled water in `per_hole` that `water` does not have at
-// the same level, rows of `water` with other holes, and numbers of holes that are not those of the rows. Members that
-// are missing or of another type count as empty. O(n log n).
+// What contradicts itself in a report.json, each as a line. The holes that `per_hole` has as filled water must be those
+// in the rows of `water`, at the same level. The numbers of holes must be those of the rows. Members that are missing
+// or of another type count as empty. O(n log n).
 std::vector<std::string> ReportContradictions(const nlohmann::ordered_json& report);
 
 }  // namespace tilemend
