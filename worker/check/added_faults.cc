@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -113,9 +114,22 @@ class AddedFaultFinder {
       std::ranges::sort(sides, {}, &EdgeSide::higher);
       for (size_t i = 0, next = 0; i < sides.size(); i = next) {
         while (next < sides.size() && sides[next].higher == sides[i].higher) ++next;
-        LookAtEdge(lower, std::span(sides).subspan(i, next - i));
+        const std::span edge = std::span(sides).subspan(i, next - i);
+        LookAtEdge(lower, edge.size() > 2 ? WithoutCopies(edge) : edge);
       }
     }
+  }
+
+  // Kept triangles that are there twice count once, as they do for the survey.
+  std::span<const EdgeSide> WithoutCopies(std::span<const EdgeSide> sides) {
+    std::set<Triangle> seen;
+    once_.clear();
+    for (const EdgeSide& side : sides) {
+      Triangle corners = faces_[side.face].corners;
+      std::ranges::rotate(corners, std::ranges::min_element(corners));
+      if (faces_[side.face].origin != FaceOrigin::kKept || seen.insert(corners).second) once_.push_back(side);
+    }
+    return once_;
   }
 
   void LookAtEdge(int32_t lower, std::span<const EdgeSide> sides) {
@@ -232,6 +246,7 @@ class AddedFaultFinder {
   std::vector<Point3> points_;  // welded
   std::vector<Face> faces_;     // of the tile after, and then those that are missing there
   size_t count_after_ = 0;      // faces of the tile after
+  std::vector<EdgeSide> once_;  // of WithoutCopies
   AddedFindings found_;
 };
 

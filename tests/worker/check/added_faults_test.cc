@@ -95,6 +95,19 @@ TEST_F(AddedFaultsTest, AThirdTriangleAtAnEdgeIsNamedOnce) {
   EXPECT_THAT(found.faults.at(AddedFault::kNonManifoldEdge), SizeIs(1));
 }
 
+TEST_F(AddedFaultsTest, OriginalsThatAreThereTwiceCountOnce) {
+  Sheet sheet;
+  const size_t triangles = sheet.mesh.triangles.size();
+  for (size_t t = 0; t < triangles; ++t) {
+    const Triangle copied = sheet.mesh.triangles[t];
+    sheet.mesh.triangles.push_back({copied[1], copied[2], copied[0]});
+  }
+  TriMesh after = sheet.mesh;
+  const int32_t a = sheet.At(1, 1), b = sheet.At(2, 1), c = sheet.At(2, 2), d = sheet.At(1, 2);
+  after.triangles.insert(after.triangles.end(), {{a, b, c}, {a, c, d}});
+  EXPECT_THAT(Find(sheet.mesh, after).faults, IsEmpty());
+}
+
 TEST_F(AddedFaultsTest, ATriangleWithoutAreaIsNamed) {
   EXPECT_THAT(
       With({{0, 1, 2}, {0, 2, 3}, {4, 5, 6}}, {{0, 0, 1}, {1, 0, 1}, {2, 0, 1}}).faults.at(AddedFault::kFlatTriangle),
