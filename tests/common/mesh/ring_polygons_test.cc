@@ -12,13 +12,13 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-std::vector<Point2> Square(double low, double high) { return {{low, low}, {high, low}, {high, high}, {low, high}}; }
+std::vector<Point2> RingOf(double low, double high) { return {{low, low}, {high, low}, {high, high}, {low, high}}; }
 std::vector<Point2> Turned(std::vector<Point2> ring) { return {ring.rbegin(), ring.rend()}; }
 
 TEST(PolygonsOfTest, IslandsBelongToTheOutlineAroundThem) {
   for (const bool turned : {false, true}) {
-    std::vector<std::vector<Point2>> rings = {Turned(Square(42, 43)), Square(0, 20), Square(40, 50),
-                                              Turned(Square(5, 6))};
+    std::vector<std::vector<Point2>> rings = {Turned(RingOf(42, 43)), RingOf(0, 20), RingOf(40, 50),
+                                              Turned(RingOf(5, 6))};
     if (turned) std::transform(rings.begin(), rings.end(), rings.begin(), Turned);
     const auto polygons = PolygonsOf(rings);
     ASSERT_THAT(polygons, SizeIs(2));
@@ -35,7 +35,7 @@ TEST(PolygonsOfTest, ARingWithoutAreaIsAPolygonAllTheSame) {
 }
 
 TEST(PolygonsOfTest, DirectionsDoNotMatter) {
-  const auto polygons = PolygonsOf({Square(40, 50), Turned(Square(0, 20)), Turned(Square(2, 9)), Square(4, 5)});
+  const auto polygons = PolygonsOf({RingOf(40, 50), Turned(RingOf(0, 20)), Turned(RingOf(2, 9)), RingOf(4, 5)});
   ASSERT_THAT(polygons, SizeIs(3));
   EXPECT_EQ(polygons[0].outline, 3) << "an outline in a hole";
   EXPECT_EQ(polygons[1].outline, 0);
