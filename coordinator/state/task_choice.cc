@@ -74,7 +74,7 @@ class TaskChooser {
     return now_ < task.not_before && (task.failed_by.empty() || task.returned_by.contains(worker_.id));
   }
 
-  // Whether it is left to others for now. After a machine error it is so only for a while: the others may be stuck.
+  // Whether it is left to others. After a machine error it is so only for a while: the others may be stuck.
   bool IsLeftToOthers(const Task& task) const {
     if (!task.returned_by.contains(worker_.id)) return false;
     const bool by_machine_error = task.returns > 0 && task.failed_by.empty() && task.lost_workers.empty();

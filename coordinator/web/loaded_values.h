@@ -92,7 +92,7 @@ class LoadedValues {
     bool fetched = false;
   };
 
-  // The entry of that name, which is the last asked for now. Null if there is none.
+  // The entry of that name, which becomes the one that was asked for last. Null if there is none.
   Entry* Touch(const std::string& name) {
     for (auto it = entries_.begin(); it != entries_.end(); ++it) {
       if (it->name != name) continue;

@@ -11,6 +11,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_replace.h"
+#include "tests/support/mesh_builders.h"
 #include "tests/support/output_checks.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
@@ -170,6 +171,27 @@ TEST_F(DeliveryRunTest, AFilledTriangleTwiceIsNonManifold) {
   const size_t at = text.rfind("\nf ");
   folder_.Write(kTile, absl::StrCat(text, text.substr(at + 1)));
   EXPECT_GT(Count(Check(100), "nonmanifold_edges"), 0);
+}
+
+// Two tiles of 10 m that are cut from one mesh, each with a buffer of 1 m, around a hole over the line between them.
+TEST_F(DeliveryRunTest, EdgesThatTwoLayersOfABufferShareAreNoFault) {
+  const auto is_there = [](int32_t i, int32_t j) { return i < 7 || i > 12 || j < 3 || j > 6; };
+  const auto height = [](double x, double y) { return 20 + 0.1 * x + 0.05 * y; };
+  for (const int32_t col : {0, 1}) {
+    const TriMesh tile = SquaresMesh(9 * col, 11 + 9 * col, 0, 10, is_there, height);
+    std::string text;
+    for (const Point3& p : tile.points) absl::StrAppend(&text, "v ", p.x(), " ", p.y(), " ", p.z(), "\n");
+    for (const Triangle& t : tile.triangles) {
+      absl::StrAppend(&text, "f ", t[0] + 1, " ", t[1] + 1, " ", t[2] + 1, "\n");
+    }
+    folder_.Write(absl::StrCat("buffered/Tile_+00", col, "_+000.obj"), text);
+  }
+  folder_.Write("buffered/scene.json", R"({"origin": [0, 0, 0], "cell_size": 10, "cols": 2, "rows": 1, "overlap": 1,
+    "tiles": [{"col": 0, "row": 0, "path": "Tile_+000_+000.obj"},
+              {"col": 1, "row": 0, "path": "Tile_+001_+000.obj"}]})");
+  const Ended ended = Tilemend({"run", folder_ / "buffered", "--out", folder_ / "filled", "--check"});
+  EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("2 of 2 holes filled"));
 }
 
 TEST_F(DeliveryRunTest, AnImageMustBeTheSameAndAMaterialFileMayGrow) {

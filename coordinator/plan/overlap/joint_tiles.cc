@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -129,15 +130,14 @@ class FixedPlaces {
     }
   }
 
-  // The tile's boundary may pass through a corner, at a height of its own. For the other tiles to meet it there, it
-  // takes that of the corner.
+  // A tile's boundary that passes through a corner has its own height there. It takes that of the corner, where the
+  // lines of the other tiles end.
   void SettleCorners(CellId cell, const ClipSquare& square, ClippedTile& clipped) const {
     for (ClipVertex& v : clipped.vertices) {
       for (const Side x : {kWest, kEast}) {
         for (const Side y : {kSouth, kNorth}) {
           if (v.outside || v.position.x() != square.side[x] || v.position.y() != square.side[y]) continue;
-          const auto corner = corner_height_.find(CornerOf(cell, {x, y}));
-          if (corner != corner_height_.end()) v.position.z() = corner->second.first / corner->second.second;
+          if (const auto height = HeightAt(CornerOf(cell, {x, y}))) v.position.z() = *height;
         }
       }
     }
@@ -162,10 +162,10 @@ class FixedPlaces {
     const Side low = AxisOf(side) == 0 ? kSouth : kWest;
     for (const Side end : {low, Opposite(low)}) {
       const double t = square.side[end];
-      const auto it = corner_height_.find(
-          CornerOf(cell, AxisOf(side) == 0 ? std::array<Side, 2>{side, end} : std::array<Side, 2>{end, side}));
-      if (it != corner_height_.end()) {
-        fixed[t] = {t, it->second.first / it->second.second};
+      const auto height =
+          HeightAt(CornerOf(cell, AxisOf(side) == 0 ? std::array<Side, 2>{side, end} : std::array<Side, 2>{end, side}));
+      if (height) {
+        fixed[t] = {t, *height};
       } else if (has_area) {
         fixed[t] = {t, 0, false};
       }
@@ -178,6 +178,12 @@ class FixedPlaces {
   }
 
  private:
+  // Of a corner. None: no tile reaches it.
+  std::optional<double> HeightAt(CellId corner) const {
+    const auto it = corner_height_.find(corner);
+    return it == corner_height_.end() ? std::nullopt : std::optional(it->second.first / it->second.second);
+  }
+
   std::map<std::pair<int, double>, std::set<double>> area_ends_;  // by axis and the place on it: places on the other
   std::map<CellId, std::pair<double, int>> corner_height_;        // by the cell north-east of it: sum and count
 };

@@ -11,10 +11,10 @@
 
 namespace tilemend {
 
-// The rings of an area, each with the inside on its right, as a rim has a hole. Corners that are too near to the rim
-// for a new vertex, as where an area is the outline of a hole, are moved off it, on to the surface beside it: there the
-// hole is whole. Rings that cross after that are united. Precondition: they do not cross. Cost as SeamSizeAt for each
-// corner.
+// The rings of an area, each with the inside on its right, as a rim has a hole. Where an area ends at the rim of a hole
+// that it has inside, its corners are moved out of it, on to the surface beyond: there the hole is whole. Rings that
+// cross after that are united. Precondition: they do not cross. Cost for each corner as SeamSizeAt; near the rim,
+// RimIndex::InSurface 17 times.
 std::vector<std::vector<Point2>> OrientedRings(const PlanePolygon& area, const SeamSite& site);
 
 // The outline of what oriented rings enclose, oriented likewise (SimpleRings).

@@ -23,8 +23,7 @@ void DecideHoles(const std::vector<WaterArea>& areas, Plan& plan, const std::fun
 
 // The area that decides whether the holes of a group are water, or none. A reviewer's decision comes first; it may be
 // to accept, which decides nothing. Holes in pieces that hang over others are in no other area: what it is about lies
-// below them. An area that is cleared has no part in holes whose rim is all above what it takes
-// out.
+// below them. An area that is cleared has no part in holes whose rim is all above what it takes out.
 //
 //   index  of `areas`
 //
