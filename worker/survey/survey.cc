@@ -376,14 +376,15 @@ SurveyRecord SurveyByType(const MeshView& mesh, bool float32, PieceAreas areas) 
 
 SurveyRecord SurveyTile(const MeshView& mesh, bool float32, PieceAreas areas) {
   SurveyRecord record = SurveyByType(mesh, float32, areas);
+  const bool one_mesh = areas == PieceAreas::kYes;  // its faces are made to agree, across those that are copied too
   std::optional<std::vector<Triangle>> other;
-  if (record.repeated_edges > 0 && areas == PieceAreas::kYes) other = OfOneLayer(mesh);
-  if (record.repeated_edges > 0 && !other) other = WithoutCopies(mesh);
+  if (record.repeated_edges > 0 && one_mesh) other = OfOneLayer(mesh);
+  if (!other && (record.repeated_edges > 0 || (one_mesh && record.nonmanifold_edges > 0))) other = WithoutCopies(mesh);
   const int64_t copied = other ? static_cast<int64_t>(mesh.triangles.size()) - std::ssize(*other) : 0;
   const auto survey_other = [&] { return SurveyByType({mesh.points, TriangleRows(*other)}, float32, areas); };
   if (copied > 0) record = survey_other();
   int64_t turned = 0;
-  if (areas == PieceAreas::kYes && record.disagreeing_edges > 0) {
+  if (one_mesh && record.disagreeing_edges > 0) {
     if (!other) other = mesh.triangles.Copy();
     turned = OrientFaces(mesh.points, *other);
     if (turned > 0) record = survey_other();
