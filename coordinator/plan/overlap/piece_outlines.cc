@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -13,6 +15,7 @@
 namespace tilemend {
 namespace {
 
+constexpr int kUp = 2;
 constexpr double kLeastLength = 1.0;  // metres of boundary that a piece has along its outline
 constexpr int kLeastEdges = 2;        // there: a single edge is straight by itself, and level by chance
 // Of the reach: by how much pieces overlap that are joined to others beyond their boxes. In 8 tiles of an export at two
@@ -30,6 +33,12 @@ struct OutlineStretch {
   std::vector<size_t> edges;  // of the record
 };
 
+// Of the boundary along pairs of upright planes, metres seen from above.
+struct StripTally {
+  double length = 0;
+  double doubled = 0;  // where between the planes surface lies above surface
+};
+
 // A boundary edge in a plane across an axis.
 struct LevelEdge {
   double place = 0;
@@ -40,7 +49,7 @@ class OutlineFinder {
  public:
   OutlineFinder(const SurveyRecord& record, const PieceLayout& layout) : record_(record), reach_(layout.reach) {
     turn_ << layout.axis.x(), layout.axis.y(), 0, -layout.axis.y(), layout.axis.x(), 0, 0, 0, 1;
-    for (const BoundaryVertex& v : record.vertices) places_.emplace_back(turn_ * v.position);
+    for (const BoundaryVertex& v : record.vertices) extent_.extend(places_.emplace_back(turn_ * v.position));
     for (size_t e = 0; e < record.edges.size(); ++e) {
       const auto piece = static_cast<size_t>(record.edges[e].piece);
       if (piece >= box_.size()) box_.resize(piece + 1);
@@ -51,8 +60,12 @@ class OutlineFinder {
   std::vector<bool> Run() {
     std::vector<bool> on_outline(record_.edges.size(), false);
     if (reach_ <= 0) return on_outline;
+    std::array<std::set<double>, 3> planes_across;
+    StripTally strips;
+    for (int axis = 0; axis < 3; ++axis) planes_across[axis] = PlanesAcross(axis, strips);
+    if (strips.doubled < strips.length / 2) return on_outline;
     for (int axis = 0; axis < 3; ++axis) {
-      const std::set<double> planes = PlanesAcross(axis);
+      const std::set<double>& planes = planes_across[axis];
       for (size_t e = 0; e < record_.edges.size(); ++e) {
         const double a = Begin(e)[axis], b = End(e)[axis];
         const auto plane = planes.lower_bound(std::max(a, b) - kMeetTolerance);
@@ -67,7 +80,7 @@ class OutlineFinder {
   const Point3& End(size_t e) const { return places_[record_.edges[e].to]; }
 
   // Where surface ends and other surface has begun.
-  std::set<double> PlanesAcross(int axis) const {
+  std::set<double> PlanesAcross(int axis, StripTally& strips) const {
     const std::vector<OutlineStretch> begins = StretchesAcross(axis, false), ends = StretchesAcross(axis, true);
     std::set<double> planes;
     for (const OutlineStretch& begin : begins) {
@@ -75,10 +88,48 @@ class OutlineFinder {
                                   [](double place, const OutlineStretch& other) { return place < other.place; });
       for (; end != ends.end() && end->place - begin.place <= reach_; ++end) {
         if (planes.contains(begin.place) && planes.contains(end->place)) continue;
-        if (AreBeside(axis, begin, *end)) planes.insert({begin.place, end->place});
+        if (IsAtTheEnd(axis, begin, *end) || !AreBeside(axis, begin, *end)) continue;
+        planes.insert({begin.place, end->place});
+        if (axis != kUp) Tally(axis, begin, *end, strips);
       }
     }
     return planes;
+  }
+
+  // Whether one of two upright planes is the tile's own outline: no piece goes on beyond.
+  bool IsAtTheEnd(int axis, const OutlineStretch& begin, const OutlineStretch& end) const {
+    return axis != kUp &&
+           (begin.place - extent_.min()[axis] <= kMeetTolerance || extent_.max()[axis] - end.place <= kMeetTolerance);
+  }
+
+  // Overlapping pieces both have surface between their planes, while a strip of surface between a hole and another, or
+  // the tile's outline, is there once.
+  void Tally(int axis, const OutlineStretch& begin, const OutlineStretch& end, StripTally& strips) const {
+    const std::map<double, int> surfaces = SurfacesAlong(axis, (begin.place + end.place) / 2);
+    for (const OutlineStretch* const stretch : {&begin, &end}) {
+      for (const size_t e : stretch->edges) {
+        const double from = Begin(e)[1 - axis], to = End(e)[1 - axis];
+        const auto beyond = surfaces.upper_bound((from + to) / 2);
+        const int count = beyond == surfaces.begin() ? 0 : std::prev(beyond)->second;
+        strips.length += std::abs(to - from);
+        if (count > 1) strips.doubled += std::abs(to - from);
+      }
+    }
+  }
+
+  // How many surfaces lie above each other along a line across an upright plane's axis, from each place on.
+  std::map<double, int> SurfacesAlong(int axis, double place) const {
+    std::map<double, int> surfaces;
+    for (size_t e = 0; e < record_.edges.size(); ++e) {
+      const Point3 &a = Begin(e), &b = End(e);
+      if ((a[axis] < place) == (b[axis] < place)) continue;
+      const double share = (place - a[axis]) / (b[axis] - a[axis]);
+      const int turn = axis == 0 ? 1 : -1;  // the surface lies on the left
+      surfaces[a[1 - axis] + share * (b[1 - axis] - a[1 - axis])] += a[axis] < place ? turn : -turn;
+    }
+    int count = 0;
+    for (auto& [along, surface] : surfaces) surface = count += surface;
+    return surfaces;
   }
 
   // Along the axis, those long enough.
@@ -161,6 +212,7 @@ class OutlineFinder {
   const double reach_;
   Eigen::Matrix3d turn_;           // so that the planes lie across the axes
   std::vector<Point3> places_;     // of the record's vertices, turned
+  AlignedBox3d extent_;            // of those
   std::vector<AlignedBox3d> box_;  // by piece
 };
 

@@ -13,8 +13,9 @@ namespace tilemend {
 // are no rims of holes. Pieces are leaves of an octree, of any sizes. Each ends at planes across the axes of the layout
 // (upright ones and level ones), and the next begins at most `layout.reach` metres before. A plane is taken for an
 // outline if one piece ends and another begins there along some length of boundary. Pieces that share vertices
-// elsewhere count as one; their outlines are told by boundaries that run along each other. Cost O(n log n), and for
-// each pair of such planes the product of their edges.
+// elsewhere count as one; their outlines are told by boundaries that run along each other. A tile in which surface lies
+// above surface along less than half of all that, seen from above, has no pieces: what it has are narrow strips of
+// surface. Cost O(n log n), and for each pair of such planes n and the product of their edges.
 std::vector<bool> FindPieceOutlines(const SurveyRecord& record, const PieceLayout& layout);
 
 }  // namespace tilemend

@@ -98,6 +98,17 @@ TEST(PieceOutlinesTest, AreNotWhereSurfaceIsMissing) {
   EXPECT_EQ(CountOutlines(JoinedWall(0.01), 0.3), 0) << "level to a few millimetres, as by chance";
 }
 
+// A tile with a buffer of a metre, where a hole reaches to two metres from its southern end: the surface left between
+// is a strip. Straight boundaries run along each other there, as at the outlines of pieces, but no surface lies double.
+TEST(PieceOutlinesTest, AreNotTheSidesOfANarrowStrip) {
+  const auto is_there = [](int32_t x, int32_t y) { return !(x >= 4 && x < 16 && (y == 2 || (y > 4 && y < 9))); };
+  const TriMesh tile = SquaresMesh(0, 20, 0, 20, is_there);
+  Grid grid;
+  grid.cell_size = Point2(20, 20);
+  const SurveyedScene scene = SurveyScene(grid, {{{0, 0}, tile}});
+  EXPECT_EQ(CountOutlines(scene.records.begin()->second, 3), 0);
+}
+
 // Loose triangles at the water have level edges by chance.
 TEST(PieceOutlinesTest, AreNotSingleEdges) {
   SurveyRecord record;
