@@ -11,10 +11,10 @@
 namespace tilemend {
 
 // Checks the samples of the surface of a cluster, in columns. Returns kInvalidArgument, saying what is wrong first,
-// unless there are none, or exactly one for each vertex of `asked` that is new, on an object, or on a seam. If it is
-// ground with walls, there are some, with one for every vertex of which the number was told, and some rim stands on
-// objects. Each must have a finite Laplacian and slope, and a height no further from those of the rim than the holes
-// are large. The band is not needed. O(n log n).
+// unless there are none, or exactly one for each vertex of `asked` that is new, on an object, or on a seam; at most one
+// for a new vertex without a segment. If it is ground with walls, there are some, with one for every vertex of which
+// the number was told, and some rim stands on objects. Each must have a finite Laplacian and slope, and a height no
+// further from those of the rim than the holes are large. The band is not needed. O(n log n).
 struct ClusterColumns {
   std::span<const int32_t> seam_vertex;
   std::span<const double> height, laplacian, slope_x, slope_y;

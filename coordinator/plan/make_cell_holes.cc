@@ -56,6 +56,14 @@ double GoingOn(const Plan& plan, const GroundSurface& surface, int32_t source, c
   return surface.height + surface.slope.dot((at - plan.vertices[source].position).head<2>());
 }
 
+// Whether a new vertex off the grid line is farther from the one that it follows than half an edge of the patch there:
+// the slope tells no height so far off.
+bool HasHeightOfItsOwn(const Plan& plan, int32_t plan_vertex) {
+  const PlanVertex& v = plan.vertices[plan_vertex];
+  if (v.index >= 0 || v.follows < 0 || v.on_neighbour) return false;
+  return (v.position - plan.vertices[v.follows].position).head<2>().norm() > v.size / 2;
+}
+
 // Where the surface passes, of an original that it need not meet. Beyond the grid line the surface goes on from where
 // the boundary crosses it.
 std::optional<double> GroundUnder(const Plan& plan, const SeamHeights& heights, int32_t plan_vertex, int32_t cluster) {
@@ -119,6 +127,7 @@ class CellHolesBuilder {
     if (!own_regions && std::ranges::any_of(result_.vertices, &RimVertex::on_object)) {
       for (const auto& [plan_vertex, made] : made_) result_.vertices[made.vertex].seam_vertex = plan_vertex;
     }
+    if (with_band && !own_regions) AddPlaces(holes);
     if (with_band) {
       for (const RimVertex& v : result_.vertices) result_.band.points.push_back(v.position);
       const std::set<CellId> around = CellsAround(plan_, holes);
@@ -180,7 +189,7 @@ class CellHolesBuilder {
       const std::optional<double> height = HeightOf(plan_, heights_, plan_vertex, cluster);
       v.height_known = height.has_value();
       if (height) v.position.z() = *height;
-      v.follows = p.follows;
+      if (!heights_.height.contains(plan_vertex)) v.follows = p.follows;
     }
     result_.vertices.push_back(v);
     return number;
@@ -210,6 +219,22 @@ class CellHolesBuilder {
     result_.holes.push_back(std::move(hole));
   }
 
+  // Vertices without a segment, where the surface of the cluster is asked for.
+  void AddPlaces(const std::vector<int32_t>& holes) {
+    for (const int32_t h : holes) {
+      const PlannedHole& planned = plan_.holes[h];
+      const auto add = [&](const std::vector<RimSegment>& segments) {
+        for (const RimSegment& s : segments) {
+          for (const int32_t v : {s.from, s.to}) {
+            if (HasHeightOfItsOwn(plan_, v)) Vertex(v, planned.cluster);
+          }
+        }
+      };
+      std::ranges::for_each(planned.own_regions, add);
+      add(planned.inner_edges);
+    }
+  }
+
   void AddInnerEdges(const PlannedHole& planned) {
     for (const RimSegment& s : planned.inner_edges) {
       const int32_t from = Vertex(s.from, planned.cluster), to = Vertex(s.to, planned.cluster);
@@ -223,7 +248,8 @@ class CellHolesBuilder {
   void SetSeamVertex(RimVertex& v, int32_t cluster, int32_t plan_vertex) const {
     v.seam_vertex = plan_vertex;
     const int32_t follows = plan_.vertices[plan_vertex].follows;
-    const auto it = heights_.laplacian.find({cluster, follows >= 0 ? follows : plan_vertex});
+    auto it = heights_.laplacian.find({cluster, plan_vertex});
+    if (it == heights_.laplacian.end() && follows >= 0) it = heights_.laplacian.find({cluster, follows});
     if (it == heights_.laplacian.end() || v.laplacian_known) return;
     v.laplacian_known = true;
     v.laplacian = it->second;

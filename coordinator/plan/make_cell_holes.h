@@ -11,8 +11,9 @@
 namespace tilemend {
 
 // The given holes (of one cell, or of one cluster; without failure) with their vertices. If `with_band`, also the
-// triangles of the cell's own tile and of its neighbours' at the holes' own vertices. In a single mesh there is one
-// ring more, since patches there go on with the curvature, too.
+// triangles of the cell's own tile and of its neighbours' at the holes' own vertices, and new vertices without a
+// segment where the surface of the cluster is asked for: those of own regions far off the grid line. In a single mesh
+// there is one ring more, since patches there go on with the curvature, too.
 CellHoles MakeCellHoles(const Plan& plan, const PlanInput& input, const SeamHeights& heights,
                         const std::vector<int32_t>& holes, bool with_band);
 

@@ -13,6 +13,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "tests/support/fill_pipeline.h"
+#include "tests/support/height_over.h"
 #include "tests/support/overlapping_scene.h"
 
 namespace tilemend {
@@ -32,22 +33,6 @@ std::vector<std::string> Lake() {
     if (row < 5 || row > 18) picture[row] = absl::StrCat(shore, "|", shore);
   }
   return picture;
-}
-
-// The height of the patches of a tile over a place.
-std::optional<double> HeightOver(const TriMesh& tile, size_t first, const Point2& p) {
-  for (size_t t = first; t < tile.triangles.size(); ++t) {
-    const auto& [i, j, k] = tile.triangles[t];
-    const Point3 &a = tile.points[i], &b = tile.points[j], &c = tile.points[k];
-    const auto turn = [](const Point2& u, const Point2& v, const Point2& w) {
-      return (v.x() - u.x()) * (w.y() - u.y()) - (v.y() - u.y()) * (w.x() - u.x());
-    };
-    const Point2 u = a.head<2>(), v = b.head<2>(), w = c.head<2>();
-    const double whole = turn(u, v, w), at_a = turn(v, w, p) / whole, at_b = turn(w, u, p) / whole;
-    if (std::min({at_a, at_b, 1 - at_a - at_b}) < -1e-9) continue;
-    return at_a * a.z() + at_b * b.z() + (1 - at_a - at_b) * c.z();
-  }
-  return std::nullopt;
 }
 
 class OverlapSurfaceTest : public testing::TestWithParam<std::tuple<double, SeamPoints, Closure>> {

@@ -78,6 +78,16 @@ TEST(ClusterSampleCheckTest, TakesSamplesOfTheWholeRimForGroundWithWalls) {
   EXPECT_FALSE(IsTaken(asked, true, {70, 71, 10, 11, 12, 13})) << "without an object there are no walls";
 }
 
+TEST(ClusterSampleCheckTest, NewVerticesWithoutASegmentMayHaveNone) {
+  CellHoles asked = Asked();
+  asked.vertices.push_back(asked.vertices.back());
+  asked.vertices.back().seam_vertex = 72;
+  EXPECT_TRUE(IsTaken(asked, false, {70, 71}));
+  EXPECT_TRUE(IsTaken(asked, false, {70, 71, 72}));
+  EXPECT_FALSE(IsTaken(asked, false, {70, 71, 72, 72}));
+  EXPECT_FALSE(IsTaken(asked, false, {70, 72}));
+}
+
 TEST(ClusterSampleCheckTest, RefusesHeightsFarFromTheRimAndNoNumbers) {
   for (const double wrong : {1e9, -1e9, std::nan(""), HUGE_VAL}) {
     EXPECT_FALSE((Columns{{70, 71}, {5, wrong}}.Ok()));

@@ -12,6 +12,7 @@
 #include "worker/fill/hole/local_hole.h"
 #include "worker/fill/region/planar_region.h"
 #include "worker/fill/seam/seam_chains.h"
+#include "worker/fill/seam/triangle_finder.h"
 #include "worker/fill/surface/choose_tension.h"
 #include "worker/fill/surface/edge_heights.h"
 #include "worker/fill/surface/free_rim.h"
@@ -29,6 +30,31 @@ constexpr int kMostCoarsenings = 28;
 constexpr int kMostRounds = 5;
 // Coarse triangles grow at least as fast.
 constexpr double kCoarseGradation = 1.3;
+
+std::vector<int32_t> VerticesWithoutSegment(const CellHoles& cluster) {
+  std::vector<bool> has_segment(cluster.vertices.size(), false);
+  for (const CellHole& hole : cluster.holes) {
+    for (const RimSegment& s : hole.segments) has_segment[s.from] = has_segment[s.to] = true;
+  }
+  std::vector<int32_t> vertices;
+  for (int32_t v = 0; v < std::ssize(has_segment); ++v) {
+    if (!has_segment[v]) vertices.push_back(v);
+  }
+  return vertices;
+}
+
+// Linear between the corners of a triangle of the patch.
+SurfaceSample SampleAt(const PlaceInTriangle& place, const ThinPlateProblem& problem,
+                       const std::vector<double>& laplacian, const std::vector<Point2>& slope) {
+  SurfaceSample sample;
+  for (int k = 0; k < 3; ++k) {
+    const int32_t corner = place.triangle[k];
+    sample.height += place.share[k] * problem.points[corner].z();
+    sample.laplacian += place.share[k] * laplacian[corner];
+    sample.slope += place.share[k] * slope[corner];
+  }
+  return sample;
+}
 
 // The cluster with its triangles and seam vertices `coarsening` times as large and far apart as the options say.
 class ClusterSampler {
@@ -110,6 +136,7 @@ class ClusterSampler {
       if (!has_walls && !cluster_.vertices[hole_.vertices[v]].on_object) continue;
       samples.try_emplace(hole_.vertices[v], SurfaceSample{0, problem.points[v].z(), 0, slope[v]});
     }
+    AddPlaces(problem, laplacian, slope, samples);
     std::vector<SurfaceSample> result;
     for (auto& [v, sample] : samples) {
       sample.seam_vertex = cluster_.vertices[v].seam_vertex;
@@ -303,6 +330,17 @@ class ClusterSampler {
     for (int32_t v = 0; v < hole_.size(); ++v) {
       if (IsOriginal(hole_.vertices[v])) continue;
       samples.try_emplace(hole_.vertices[v], SurfaceSample{0, problem.points[v].z(), laplacian[v], slope[v]});
+    }
+  }
+
+  void AddPlaces(const ThinPlateProblem& problem, const std::vector<double>& laplacian,
+                 const std::vector<Point2>& slope, std::map<int32_t, SurfaceSample>& samples) const {
+    const std::vector<int32_t> places = VerticesWithoutSegment(cluster_);
+    if (places.empty()) return;
+    const TriangleFinder triangles(problem.points, problem.patch);
+    for (const int32_t v : places) {
+      const auto place = triangles.Find(cluster_.vertices[v].position.head<2>());
+      if (place) samples[v] = SampleAt(*place, problem, laplacian, slope);
     }
   }
 

@@ -10,8 +10,9 @@
 
 namespace tilemend {
 
-// Height and Laplacian of the cluster's surface at a vertex on a seam or at the end of one. Or its height under a
-// vertex on an object; with walls (HoldOut::walls) at any vertex of the rim.
+// Height and Laplacian of the cluster's surface at a vertex on a seam or at the end of one, or at a new vertex without
+// a segment that lies inside. Or its height under a vertex on an object; with walls (HoldOut::walls) at any vertex of
+// the rim.
 struct SurfaceSample {
   int32_t seam_vertex = 0;
   double height = 0;     // metres

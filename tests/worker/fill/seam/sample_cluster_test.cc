@@ -241,5 +241,23 @@ TEST(SampleClusterTest, GivesANewVertexOfTheRimThatNoSeamEndsAtItsHeight) {
   EXPECT_NEAR(sample->height, 3, 0.01);
 }
 
+// As of a tile that reaches far over its grid line: the vertices on its own outline.
+TEST(SampleClusterTest, GivesNewVerticesWithoutASegmentTheHeightOfTheSurfaceThere) {
+  CellHoles cluster = Cluster(0);
+  for (RimVertex& v : cluster.vertices) v.position.z() += 0.5 * v.position.x();
+  const int32_t inside = Add(cluster, Point3(7.3, 4.6, 0), true), outside = Add(cluster, Point3(12, 4, 0), true);
+  for (size_t v = 0; v < cluster.vertices.size(); ++v) {
+    if (v >= cluster.band.points.size()) cluster.band.points.emplace_back();
+    cluster.band.points[v] = cluster.vertices[v].position;
+  }
+  const auto surface = SampleCluster(cluster, Untaut());
+  ASSERT_TRUE(surface.has_value());
+  const auto sample_of = [&](int32_t v) { return std::ranges::find(surface->samples, v, &SurfaceSample::seam_vertex); };
+  ASSERT_NE(sample_of(inside), surface->samples.end());
+  EXPECT_NEAR(sample_of(inside)->height, 3 + 0.5 * 7.3, 0.01);
+  EXPECT_NEAR(sample_of(inside)->slope.x(), 0.5, 0.01);
+  EXPECT_EQ(sample_of(outside), surface->samples.end());
+}
+
 }  // namespace
 }  // namespace tilemend
