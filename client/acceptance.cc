@@ -51,7 +51,7 @@ struct BorderTally {
 // What of the surface lies within twice the overlap of the cell's sides, or beyond them.
 BorderStrip StripOf(const Grid& grid, CellId cell, double overlap, const TriMesh& mesh,
                     const std::vector<bool>& inside_fill) {
-  const Point2 inner(2 * overlap + 0.1, 2 * overlap + 0.1);
+  const Point2 inner = Point2::Constant(std::max(2 * overlap + 0.1, overlap + kCoverReach));
   const Point2 corner = grid.corner + grid.cell_size.cwiseProduct(Point2(cell.col, cell.row));
   const Point2 lo = corner + inner, hi = corner + grid.cell_size - inner;
   std::vector<SpaceTriangle> triangles;
@@ -323,7 +323,7 @@ class AcceptanceCheck {
           std::find_if(strips_.begin(), strips_.end(), [&](const auto& s) { return s.second.cell == other; });
       if (kept == strips_.end()) continue;
       const BorderStrip::Nearest nearest = kept->second.strip.NearestTo(p);
-      covered = covered || (nearest.is_covered && std::abs(nearest.height) <= kCoverReach);
+      covered = covered || kept->second.strip.EndsAt(p);
       if (!nearest.is_covered || !nearest.is_inner || !edge.is_inner) continue;
       BorderTally& tally = borders_[std::minmax(cell, other)];
       ++tally.places;

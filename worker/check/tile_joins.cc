@@ -5,14 +5,16 @@
 #include <array>
 #include <cmath>
 
+#include "common/mesh/segment_distance.h"
 #include "common/mesh/triangle_shape.h"
 
 namespace tilemend {
 namespace {
 
-constexpr double kSteepReach = 0.05;  // metres: a wall has no surface above or below a point beside it
-constexpr double kSteep = 0.05;       // upward part of the normal, below which a triangle is a wall
-constexpr double kBeside = 0.002;     // metres, to either side of an edge: coordinates of text files are rounded
+constexpr double kSteepReach = 0.05;                   // metres: a wall has no surface above or below a point beside it
+constexpr double kSteep = 0.05;                        // upward part of the normal, below which a triangle is a wall
+constexpr double kSteeperThan45 = 0.7071067811865476;  // the same, of 45 degrees
+constexpr double kBeside = 0.002;  // metres, to either side of an edge: coordinates of text files are rounded
 
 Eigen::AlignedBox3d FlatBoxOf(const SpaceTriangle& t) {
   Eigen::AlignedBox3d box;
@@ -42,6 +44,18 @@ double HeightAbove(const SpaceTriangle& t, const Point3& p) {
   return normal.dot(t[0] - p) / normal.z();
 }
 
+double DistanceToTriangle(const Point3& p, const SpaceTriangle& t) {
+  const Eigen::Vector3d normal = TwiceVectorArea(t).normalized();
+  double nearest = INFINITY;
+  bool is_beside = true;
+  for (int k = 0; k < 3; ++k) {
+    const Point3 &a = t[k], &b = t[(k + 1) % 3];
+    nearest = std::min(nearest, DistanceToSegment(p, a, b));
+    is_beside = is_beside && (b - a).cross(p - a).dot(normal) >= 0;
+  }
+  return is_beside ? std::min(nearest, std::abs(normal.dot(p - t[0]))) : nearest;
+}
+
 }  // namespace
 
 BorderStrip::BorderStrip(std::vector<SpaceTriangle> triangles, std::vector<bool> inner)
@@ -67,6 +81,16 @@ BorderStrip::Nearest BorderStrip::NearestBeside(const Point3& p, const Point3& a
     return false;
   });
   return nearest;
+}
+
+bool BorderStrip::EndsAt(const Point3& p) const {
+  const Point3 flat(p.x(), p.y(), 0), reach(kCoverReach, kCoverReach, 0);
+  return tree_.AnyMeeting({flat - reach, flat + reach}, [&](int32_t t) {
+    const Eigen::Vector3d normal = TwiceVectorArea(triangles_[t]);
+    const bool is_upright = std::abs(normal.z()) < kSteeperThan45 * normal.norm();
+    const double away = is_upright ? DistanceToTriangle(p, triangles_[t]) : HeightAbove(triangles_[t], p);
+    return std::abs(away) <= kCoverReach;
+  });
 }
 
 bool BorderStrip::GoesOnAcross(const Point3& a, const Point3& b) const {

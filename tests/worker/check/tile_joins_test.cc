@@ -106,6 +106,22 @@ TEST(BorderStripTest, AWallCoversWhatIsBesideIt) {
   EXPECT_FALSE(wall.NearestTo({2, 0.5, 1}).is_covered);
 }
 
+TEST(BorderStripTest, AnEdgeEndsAtSurfaceAboveOrBelowIt) {
+  EXPECT_TRUE(SheetAt(2).EndsAt({1, 1, 1.1}));
+  EXPECT_TRUE(SheetAt(2).EndsAt({1, 1, 2.9}));
+  EXPECT_FALSE(SheetAt(2).EndsAt({1, 1, 3.1}));
+  EXPECT_FALSE(SheetAt(2).EndsAt({-0.1, 1, 2})) << "a gap in the ground";
+}
+
+TEST(BorderStripTest, AnEdgeEndsAtAnObjectOrAWallBesideIt) {
+  const BorderStrip leaning({{Point3(0, 0, 0), Point3(4, 0, 0), Point3(2, 0.5, 4)}}, {false});
+  EXPECT_TRUE(leaning.EndsAt({2, 0.8, 1}));
+  EXPECT_TRUE(leaning.EndsAt({2, -0.6, 1}));
+  EXPECT_TRUE(leaning.EndsAt({4.9, 0, 0})) << "beside its corner";
+  EXPECT_FALSE(leaning.EndsAt({2, 1.3, 1}));
+  EXPECT_FALSE(leaning.EndsAt({5.1, 0, 0}));
+}
+
 bool IsNew(const OpenEdge& e) { return e.before != 1; }
 
 TEST(CoverOpenEdgesTest, OnlyEdgesThatAreAskedForAreMarked) {
