@@ -9,6 +9,7 @@
 
 #include "common/mesh/position_index.h"
 #include "common/mesh/rounding.h"
+#include "coordinator/plan/overlap/reached_holes.h"
 
 namespace tilemend {
 namespace {
@@ -54,14 +55,6 @@ std::set<CellId> CellsAround(const Plan& plan, const std::vector<int32_t>& holes
 // The height at a place of a surface that is known at a vertex.
 double GoingOn(const Plan& plan, const GroundSurface& surface, int32_t source, const Point3& at) {
   return surface.height + surface.slope.dot((at - plan.vertices[source].position).head<2>());
-}
-
-// Whether a new vertex off the grid line is farther from the one that it follows than half an edge of the patch there:
-// the slope tells no height so far off.
-bool HasHeightOfItsOwn(const Plan& plan, int32_t plan_vertex) {
-  const PlanVertex& v = plan.vertices[plan_vertex];
-  if (v.index >= 0 || v.follows < 0 || v.on_neighbour) return false;
-  return (v.position - plan.vertices[v.follows].position).head<2>().norm() > v.size / 2;
 }
 
 // Where the surface passes, of an original that it need not meet. Beyond the grid line the surface goes on from where
@@ -226,7 +219,7 @@ class CellHolesBuilder {
       const auto add = [&](const std::vector<RimSegment>& segments) {
         for (const RimSegment& s : segments) {
           for (const int32_t v : {s.from, s.to}) {
-            if (HasHeightOfItsOwn(plan_, v)) Vertex(v, planned.cluster);
+            if (IsFarOff(plan_, v)) Vertex(v, planned.cluster);
           }
         }
       };

@@ -20,6 +20,7 @@
 #include "coordinator/plan/overlap/joint_ground.h"
 #include "coordinator/plan/overlap/joint_tiles.h"
 #include "coordinator/plan/overlap/own_regions.h"
+#include "coordinator/plan/overlap/reached_holes.h"
 #include "coordinator/plan/overlap/strip_edges.h"
 #include "coordinator/plan/overlap/wall_feet.h"
 #include "coordinator/plan/rim/area_proposal.h"
@@ -247,7 +248,10 @@ void StoreLayers(Plan& plan) {
     outermost.push_back(
         std::any_of(hole.segments.begin(), hole.segments.end(), [](const RimSegment& s) { return !s.seam; }));
   }
-  const Layering layering = LayerHoles(open, outermost, HolesThatTouch(plan));
+  std::vector<std::pair<int32_t, int32_t>> touching = HolesThatTouch(plan);
+  const std::vector<std::pair<int32_t, int32_t>> reached = HolesReached(plan, touching);
+  touching.insert(touching.end(), reached.begin(), reached.end());
+  const Layering layering = LayerHoles(open, outermost, touching);
   plan.clusters = layering.clusters;
   plan.layers = layering.layers;
   for (size_t h = 0; h < plan.holes.size(); ++h) {
