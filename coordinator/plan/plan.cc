@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "coordinator/plan/division.h"
+#include "coordinator/plan/doubtful_numbers.h"
 #include "coordinator/plan/drop_vertices.h"
 #include "coordinator/plan/hole/free_pieces.h"
 #include "coordinator/plan/hole/layers.h"
@@ -346,6 +347,7 @@ Plan PlanHoles(const PlanInput& input, const PlanOptions& options, const TileLay
   AddFreePieces(tiles.input, tiles.free_pieces, options, plan);
   if (input.has_grid) RefuseTilesThatFaceDown(tiles.input, plan);
   plan.remarks.has_polygon = !input.area.empty();
+  RemarkOnNumbers(tiles.input, plan.remarks);
   StoreLayers(plan);
   DecideHoles(options.water.areas, plan, options.is_cancelled);
   LeaveFailedHoles(plan);

@@ -67,6 +67,18 @@ void WarnOfTiles(const Plan& plan, std::vector<std::string>& warnings) {
         "export with a local origin or in double precision",
         plan.lattice_step));
   }
+  if (plan.remarks.tiny_cell > 0) {
+    warnings.push_back(absl::StrFormat(
+        "the cells are %g wide, and numbers are taken for metres: convert degrees or kilometres to metres first",
+        plan.remarks.tiny_cell));
+  }
+  if (const ImpossibleHeights& heights = plan.remarks.impossible_heights; heights.tiles > 0) {
+    warnings.push_back(absl::StrFormat(
+        "heights of %d %s lie further apart than any on Earth, in cell %s from %.5g to %.5g m: a value for no data may "
+        "have become vertices; they count as surface, so take them out of the tiles first",
+        heights.tiles, heights.tiles == 1 ? "tile" : "tiles", ToString(heights.first), heights.lowest,
+        heights.highest));
+  }
   if (plan.remarks.turn != 0) {
     warnings.push_back(absl::StrFormat(
         "the tiles are turned by %.2f degrees against the scene's axes, so holes over their borders may be missed, and "

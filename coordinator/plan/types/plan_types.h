@@ -215,11 +215,20 @@ struct LeftOpen {
   std::optional<Point3> at = std::nullopt;  // one end of the first of the edges, where there is no hole
 };
 
+// Tiles whose heights lie further apart than on Earth.
+struct ImpossibleHeights {
+  int64_t tiles = 0;
+  CellId first;                    // of them
+  double lowest = 0, highest = 0;  // of that
+};
+
 // Of a plan, for the report alone.
 struct PlanRemarks {
   bool has_polygon = false;  // PlanInput::area is not empty
   double turn = 0;           // radians: the tiles' outlines against the grid (rim/outline_turn.h)
   double piece_reach = 0;    // metres: a scene of one tile whose pieces overlap by less than this; 0: it is one piece
+  double tiny_cell = 0;      // the shorter side of cells that are too small for metres; 0: they are not
+  ImpossibleHeights impossible_heights;
 };
 
 struct Plan {

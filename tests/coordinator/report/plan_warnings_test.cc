@@ -50,6 +50,16 @@ TEST(PlanWarningsTest, EachDecisionWithoutEffectIsNamed) {
   EXPECT_THAT(PlanWarnings(plan).back(), HasSubstr("120 decisions are not taken; the report lists all"));
 }
 
+TEST(PlanWarningsTest, NamesNumbersThatCannotBeMetresOrHeights) {
+  Plan plan;
+  plan.remarks.tiny_cell = 0.00018;
+  plan.remarks.impossible_heights = {3, {1, 0}, -9999, 55.5};
+  EXPECT_THAT(PlanWarnings(plan),
+              ElementsAre(HasSubstr("the cells are 0.00018 wide, and numbers are taken for metres"),
+                          HasSubstr("heights of 3 tiles lie further apart than any on Earth, in cell +001_+000 from "
+                                    "-9999 to 55.5 m")));
+}
+
 TEST(CheckAreasTest, RefusesDecisionsOfWhichNoneHasAnEffect) {
   Plan plan;
   EXPECT_TRUE(CheckAreas(plan).ok());
