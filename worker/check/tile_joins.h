@@ -44,8 +44,7 @@ class BorderStrip {
 };
 
 // Surface that is no further above or below an open edge closes it where tiles or pieces of a tile overlap, in metres.
-// Of 56 edges where walls or water end at an outline, in 18 made cities and 7 street cuts, the furthest has the
-// neighbour's surface at .83 m.
+// In 18 made cities the neighbour's surface is within .83 m of every edge where a wall or water ends at an outline.
 inline constexpr double kCoverReach = 1;
 
 // Marks the edges that are asked for and across which other surface of the mesh goes on. O(n log n) if any are, else
