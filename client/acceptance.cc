@@ -48,7 +48,8 @@ struct BorderTally {
   std::vector<AcceptancePlace> apart;
 };
 
-// What of the surface lies within twice the overlap of the cell's sides, or beyond them.
+// What of the surface may close an edge of a neighbour's tile, or lie over its fill: within kCoverReach of where that
+// tile ends, and beyond.
 BorderStrip StripOf(const Grid& grid, CellId cell, double overlap, const TriMesh& mesh,
                     const std::vector<bool>& inside_fill) {
   const Point2 inner = Point2::Constant(std::max(2 * overlap + 0.1, overlap + kCoverReach));

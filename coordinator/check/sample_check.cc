@@ -6,6 +6,7 @@
 #include <set>
 
 #include "absl/strings/str_cat.h"
+#include "common/records/asked_places.h"
 
 namespace tilemend {
 namespace {
@@ -68,19 +69,6 @@ std::set<int32_t> NumbersOnSeams(const CellHoles& asked) {
   return numbers;
 }
 
-// Of new vertices without a segment: the surface may have no height there.
-std::set<int32_t> NumbersOffSegments(const CellHoles& asked) {
-  std::vector<bool> has_segment(asked.vertices.size(), false);
-  for (const CellHole& hole : asked.holes) {
-    for (const RimSegment& s : hole.segments) has_segment[s.from] = has_segment[s.to] = true;
-  }
-  std::set<int32_t> numbers;
-  for (size_t v = 0; v < has_segment.size(); ++v) {
-    if (!has_segment[v] && asked.vertices[v].index < 0) numbers.insert(asked.vertices[v].seam_vertex);
-  }
-  return numbers;
-}
-
 }  // namespace
 
 absl::Status CheckClusterSamples(const CellHoles& asked, bool has_walls, const ClusterColumns& given) {
@@ -97,7 +85,10 @@ absl::Status CheckClusterSamples(const CellHoles& asked, bool has_walls, const C
   for (const int32_t vertex : given.seam_vertex) {
     if (wanted.erase(vertex) == 0) return Wrong(vertex, "not asked for, or given twice");
   }
-  for (const int32_t vertex : NumbersOffSegments(asked)) wanted.erase(vertex);
+  for (const int32_t v : VerticesWithoutSegment(asked)) {
+    if (asked.vertices[v].index < 0)
+      wanted.erase(asked.vertices[v].seam_vertex);  // the surface may have no height there
+  }
   if (!wanted.empty()) return Wrong(*wanted.begin(), "no sample");
   if (!AllFinite(given.laplacian) || !AllFinite(given.slope_x) || !AllFinite(given.slope_y)) {
     return absl::InvalidArgumentError("a Laplacian or slope that is no number");

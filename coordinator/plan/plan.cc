@@ -250,7 +250,7 @@ void StoreLayers(Plan& plan) {
         std::any_of(hole.segments.begin(), hole.segments.end(), [](const RimSegment& s) { return !s.seam; }));
   }
   std::vector<std::pair<int32_t, int32_t>> touching = HolesThatTouch(plan);
-  const std::vector<std::pair<int32_t, int32_t>> reached = HolesReached(plan, touching);
+  const std::vector<std::pair<int32_t, int32_t>> reached = HolesReached(plan, open, touching);
   touching.insert(touching.end(), reached.begin(), reached.end());
   const Layering layering = LayerHoles(open, outermost, touching);
   plan.clusters = layering.clusters;

@@ -9,10 +9,6 @@
 namespace tilemend {
 namespace {
 
-bool IsOpen(const PlannedHole& hole) {
-  return hole.failure.empty() && (hole.kind != HoleKind::kClosed || !hole.own_regions.empty());
-}
-
 // Seen from above, by the segments to the east.
 bool LiesIn(const Plan& plan, const PlannedHole& hole, const Point2& p) {
   bool inside = false;
@@ -52,11 +48,11 @@ bool IsFarOff(const Plan& plan, int32_t vertex) {
   return (v.position - plan.vertices[v.follows].position).head<2>().norm() > v.size / 2;
 }
 
-std::vector<std::pair<int32_t, int32_t>> HolesReached(const Plan& plan,
+std::vector<std::pair<int32_t, int32_t>> HolesReached(const Plan& plan, const std::vector<bool>& open,
                                                       const std::vector<std::pair<int32_t, int32_t>>& touching) {
   std::multimap<CellId, int32_t> holes_of;
   for (size_t h = 0; h < plan.holes.size(); ++h) {
-    if (IsOpen(plan.holes[h])) holes_of.emplace(plan.holes[h].cell, static_cast<int32_t>(h));
+    if (open[h]) holes_of.emplace(plan.holes[h].cell, static_cast<int32_t>(h));
   }
   DisjointSets joined(static_cast<int32_t>(plan.holes.size()));
   for (const auto& [a, b] : touching) joined.Join(a, b);

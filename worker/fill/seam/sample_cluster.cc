@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/mesh/winding/wound_region.h"
+#include "common/records/asked_places.h"
 #include "worker/fill/hole/cell_band.h"
 #include "worker/fill/hole/local_hole.h"
 #include "worker/fill/region/planar_region.h"
@@ -30,18 +31,6 @@ constexpr int kMostCoarsenings = 28;
 constexpr int kMostRounds = 5;
 // Coarse triangles grow at least as fast.
 constexpr double kCoarseGradation = 1.3;
-
-std::vector<int32_t> VerticesWithoutSegment(const CellHoles& cluster) {
-  std::vector<bool> has_segment(cluster.vertices.size(), false);
-  for (const CellHole& hole : cluster.holes) {
-    for (const RimSegment& s : hole.segments) has_segment[s.from] = has_segment[s.to] = true;
-  }
-  std::vector<int32_t> vertices;
-  for (int32_t v = 0; v < std::ssize(has_segment); ++v) {
-    if (!has_segment[v]) vertices.push_back(v);
-  }
-  return vertices;
-}
 
 // Linear between the corners of a triangle of the patch.
 SurfaceSample SampleAt(const PlaceInTriangle& place, const ThinPlateProblem& problem,

@@ -7,6 +7,8 @@ namespace {
 
 using Pairs = std::vector<std::pair<int32_t, int32_t>>;
 
+const std::vector<bool> kOpen = {true, true};
+
 // A hole in the western cell whose own region goes on to x = 10 + `reach`, and one in the eastern cell around (12, 5),
 // in a plan with edges of 2 m. They share no seam.
 Plan TwoHoles(double reach) {
@@ -42,26 +44,27 @@ Plan TwoHoles(double reach) {
 }
 
 TEST(HolesReachedTest, AnOwnRegionReachesIntoTheNeighboursHole) {
-  EXPECT_EQ(HolesReached(TwoHoles(2), {}), (Pairs{{0, 1}}));
-  EXPECT_EQ(HolesReached(TwoHoles(5), {}), Pairs()) << "beyond it";
+  EXPECT_EQ(HolesReached(TwoHoles(2), kOpen, {}), (Pairs{{0, 1}}));
+  EXPECT_EQ(HolesReached(TwoHoles(5), kOpen, {}), Pairs()) << "beyond it";
 }
 
 TEST(HolesReachedTest, NotByLessThanHalfAnEdge) {
   Plan plan = TwoHoles(0.9);
   for (int32_t v = 0; v < 4; ++v) plan.vertices[plan.holes[1].segments[v].from].position.x() -= 2;
   EXPECT_FALSE(IsFarOff(plan, 3));
-  EXPECT_EQ(HolesReached(plan, {}), Pairs());
+  EXPECT_EQ(HolesReached(plan, kOpen, {}), Pairs());
 }
 
-TEST(HolesReachedTest, HolesThatTouchAnywayAreNotNamed) { EXPECT_EQ(HolesReached(TwoHoles(2), {{0, 1}}), Pairs()); }
+TEST(HolesReachedTest, HolesThatTouchAnywayAreNotNamed) {
+  EXPECT_EQ(HolesReached(TwoHoles(2), kOpen, {{0, 1}}), Pairs());
+}
 
 TEST(HolesReachedTest, NotGroundIntoWaterNorHolesThatStayOpen) {
   Plan plan = TwoHoles(2);
   plan.holes[1].water = 0;
-  EXPECT_EQ(HolesReached(plan, {}), Pairs());
+  EXPECT_EQ(HolesReached(plan, kOpen, {}), Pairs());
   plan.holes[1].water = -1;
-  plan.holes[1].failure = "it stays open";
-  EXPECT_EQ(HolesReached(plan, {}), Pairs());
+  EXPECT_EQ(HolesReached(plan, {true, false}, {}), Pairs());
 }
 
 }  // namespace
